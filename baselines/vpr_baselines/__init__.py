@@ -1,0 +1,1 @@
+"""The methods of the benchmark, one module or folder each."""

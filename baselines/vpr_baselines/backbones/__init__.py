@@ -1,0 +1,1 @@
+"""Convolutional trunks, frozen, that turn images into feature maps."""

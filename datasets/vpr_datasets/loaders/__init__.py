@@ -1,0 +1,1 @@
+"""Loaders: each understands one on-disk layout, and cards name the one that theirs needs."""

@@ -1,0 +1,244 @@
+"""Drawing walls, slabs and the sky into an image with a depth for every pixel.
+
+A wall's depth is the same in all rows of a column, and so is the scale of its texture: all divisions
+are done per column, and only a multiplication, a look-up and a comparison are left for each pixel.
+"""
+
+from dataclasses import dataclass
+from math import ceil, floor
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vpr_datasets.simulation.stage import Slab, Walls
+from vpr_datasets.simulation.texture import LEVELS, Texture
+from vpr_datasets.simulation.view import View
+
+NEAR = 0.25
+"""Nothing nearer to the camera than this is drawn, in metres."""
+
+FAR = 1e4
+"""Depth of the sky, in metres."""
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Buffers:
+    """An image under construction.
+
+    Attributes
+    ----------
+    colour : (H, W) uint32
+        Texels, see :mod:`vpr_datasets.simulation.texture`.
+    depth : (H, W) float64
+        Metres along the direction of sight.
+    jitter : (2, H, W) float64
+        Offsets in [-0.5, 0.5) texels across and down. Where a texture is magnified they dissolve the edges
+        of its texels, which the slight blur of the lens then turns into a smooth transition.
+    """
+
+    colour: NDArray[np.uint32]
+    depth: Floats
+    jitter: Floats
+
+
+def _levels(density: Floats) -> NDArray[np.int64]:
+    """Return which level of a texture to use where there are ``density`` texels of it to a pixel."""
+    level = np.zeros(density.shape, dtype=np.int64)
+    for step in range(LEVELS - 1):
+        level += density > 1.4 * (1 << step)
+    return level
+
+
+def draw_walls(buffers: Buffers, view: View, walls: Walls, reach: float) -> None:
+    """Draw the walls within ``reach`` metres."""
+    ahead, side = view.forward
+    x, y = walls.x0 - view.x, walls.y0 - view.y
+    across0, deep0 = x * side - y * ahead, x * ahead + y * side
+    x, y = walls.x1 - view.x, walls.y1 - view.y
+    across1, deep1 = x * side - y * ahead, x * ahead + y * side
+    across1 = np.where(walls.turns, across0 + walls.x1, across1)
+    deep1 = np.where(walls.turns, deep0, deep1)
+    across0 = np.where(walls.turns, across0 - walls.x1, across0)
+    nearest, farthest = np.minimum(deep0, deep1), np.maximum(deep0, deep1)
+    edge = view.width / 2 / view.focal
+    seen = (farthest > NEAR) & (nearest < reach)
+    seen &= ~((across0 > edge * deep0) & (across1 > edge * deep1))
+    seen &= ~((across0 < -edge * deep0) & (across1 < -edge * deep1))
+    # The front is seen where the camera lies on the right-hand side of the way from left to right.
+    seen &= ~(walls.one_sided & (across0 * deep1 >= across1 * deep0))
+    for number in np.flatnonzero(seen):
+        _draw_wall(
+            buffers,
+            view,
+            walls.textures[number],
+            (float(across0[number]), float(deep0[number])),
+            (float(across1[number]), float(deep1[number])),
+            float(walls.low[number]),
+            float(walls.high[number]),
+        )
+
+
+def _screen(view: View, left: tuple[float, float], right: tuple[float, float]) -> tuple[int, int]:
+    """Return the first and last column of a wall, cut at the near plane."""
+    columns = []
+    for (across, deep), (other, behind) in ((left, right), (right, left)):
+        if deep < NEAR:
+            share = (NEAR - deep) / (behind - deep)
+            across, deep = across + (other - across) * share, NEAR
+        place = min(max(view.width / 2 + view.focal * across / deep, -1.0), view.width + 1.0)
+        columns.append(place)
+    return max(ceil(min(columns) - 0.5), 0), min(ceil(max(columns) - 0.5), view.width)
+
+
+def _draw_wall(
+    buffers: Buffers,
+    view: View,
+    texture: Texture,
+    left: tuple[float, float],
+    right: tuple[float, float],
+    low: float,
+    high: float,
+) -> None:
+    first, last = _screen(view, left, right)
+    if last <= first:
+        return
+    columns = slice(first, last)
+    slope, horizon = view.slope[columns], view.horizon[columns]
+    across, deep = right[0] - left[0], right[1] - left[1]
+    share = (slope * left[1] - left[0]) / (across - slope * deep)
+    share = np.minimum(np.maximum(share, 0.0), 1.0 - 1e-9)
+    depth = np.maximum(left[1] + share * deep, NEAR)
+    scale = view.focal / depth
+    top, bottom = horizon - (high - view.eye) * scale, horizon + (view.eye - low) * scale
+    start = max(ceil(float(top.min()) - 0.5), 0)
+    stop = min(ceil(float(bottom.max()) - 0.5), view.height)
+    if stop <= start:
+        return
+    down = texture.heights[0] / np.maximum(bottom - top, 1e-6)
+    step = np.empty_like(share)
+    step[1:] = np.abs(share[1:] - share[:-1])
+    step[0] = step[1] if len(step) > 1 else 0.0
+    level = _levels(np.maximum(down, step * float(texture.widths[0]) * 0.7))
+    widths, heights = texture.widths[level], texture.heights[level]
+    rows = np.arange(start, stop)[:, None] + 0.5
+    window = slice(start, stop), columns
+    across_texels, down_scale = share * widths, heights / np.maximum(bottom - top, 1e-6)
+    v = (rows - top) * down_scale
+    mask = (v >= 0) & (v < heights) & (depth < buffers.depth[window])
+    if float(down.min()) < 0.7:
+        v += buffers.jitter[1][window]
+        np.maximum(v, 0.0, out=v)
+        np.minimum(v, heights - 0.5, out=v)
+        u = across_texels + buffers.jitter[0][window]
+        np.maximum(u, 0.0, out=u)
+        np.minimum(u, widths - 0.5, out=u)
+        place = v.astype(np.int64)
+        place *= widths
+        place += u.astype(np.int64)
+        place += texture.offsets[level]
+    else:
+        place = v.astype(np.int64)
+        place *= widths
+        place += across_texels.astype(np.int64) + texture.offsets[level]
+    texels = texture.texels.take(place, mode="clip")
+    if not texture.solid:
+        mask &= texels >= 1 << 24
+    np.copyto(buffers.colour[window], texels, where=mask)
+    np.copyto(buffers.depth[window], np.broadcast_to(depth, mask.shape), where=mask)
+
+
+def draw_slab(buffers: Buffers, view: View, slab: Slab, reach: float) -> None:
+    """Draw one level rectangle within ``reach`` metres, from above or from below."""
+    window = _slab_window(view, slab, reach)
+    if window is None:
+        return
+    rows, columns = window
+    rise = view.eye - slab.level
+    below = (np.arange(rows.start, rows.stop)[:, None] + 0.5) - view.horizon[columns]
+    below = np.maximum(below, 0.3) if rise > 0 else np.minimum(below, -0.3)
+    depth = np.divide(view.focal * rise, below, out=below)
+    ray_x, ray_y = (ray[columns] for ray in view.rays)
+    (ux, uy), x, y = slab.along, view.x - slab.corner[0], view.y - slab.corner[1]
+    along = depth * ((ray_x * ux + ray_y * uy) / slab.length)
+    along += (x * ux + y * uy) / slab.length
+    over = depth * ((ray_y * ux - ray_x * uy) / slab.width)
+    over += (y * ux - x * uy) / slab.width
+    mask = (along >= 0) & (along < 1) & (over >= 0) & (over < 1)
+    mask &= depth < buffers.depth[window]
+    texture = slab.texture
+    middle = depth[:, depth.shape[1] // 2]
+    # A row of pixels covers depth² / (focal · rise) metres of the ground: far ones need a coarse level.
+    cover = np.minimum(middle, middle * middle / (abs(rise) * 4.0) + middle * 0.5) / view.focal
+    level = _levels(cover * (float(texture.widths[0]) / slab.length))
+    widths, heights = texture.widths[level][:, None], texture.heights[level][:, None]
+    along *= widths
+    along += buffers.jitter[0][window]
+    over *= heights
+    over += buffers.jitter[1][window]
+    for values, limit in ((along, widths), (over, heights)):
+        np.maximum(values, 0.0, out=values)
+        np.minimum(values, limit - 0.5, out=values)
+    place = over.astype(np.int64)
+    place *= widths
+    place += along.astype(np.int64)
+    place += texture.offsets[level][:, None]
+    texels = texture.texels.take(place, mode="clip")
+    if not texture.solid:
+        mask &= texels >= 1 << 24
+    np.copyto(buffers.colour[window], texels, where=mask)
+    np.copyto(buffers.depth[window], depth, where=mask)
+
+
+def _slab_window(view: View, slab: Slab, reach: float) -> tuple[slice, slice] | None:
+    """Return the rows and columns in which a slab may be seen, None where it is not."""
+    ahead, side = view.forward
+    (ux, uy), rise = slab.along, view.eye - slab.level
+    if -0.02 < rise < 0.02:
+        return None
+    corners = []
+    for along, over in ((0.0, 0.0), (slab.length, 0.0), (slab.length, slab.width), (0.0, slab.width)):
+        x = slab.corner[0] + along * ux - over * uy - view.x
+        y = slab.corner[1] + along * uy + over * ux - view.y
+        corners.append((x * side - y * ahead, x * ahead + y * side))
+    nearest = min(deep for _, deep in corners)
+    edge = view.width / 2 / view.focal
+    if max(deep for _, deep in corners) < NEAR or nearest > reach:
+        return None
+    if all(across > edge * deep for across, deep in corners) or all(
+        across < -edge * deep for across, deep in corners
+    ):
+        return None
+    middle_low, middle_high = float(view.horizon.min()), float(view.horizon.max())
+    first, last = 0, view.width
+    top, bottom = (middle_low, float(view.height)) if rise > 0 else (0.0, middle_high)
+    if nearest > NEAR:
+        places = [view.width / 2 + view.focal * across / deep for across, deep in corners]
+        first, last = max(floor(min(places)), 0), min(ceil(max(places)) + 1, view.width)
+        drops = [view.focal * rise / deep for _, deep in corners]
+        top, bottom = max(middle_low + min(drops), 0.0), min(middle_high + max(drops), float(view.height))
+    start, stop = max(floor(top), 0), min(ceil(bottom) + 1, view.height)
+    if stop <= start or last <= first:
+        return None
+    return slice(start, stop), slice(first, last)
+
+
+def draw_sky(buffers: Buffers, view: View, sky: Texture, rise: float) -> None:
+    """Cover the image with a panorama that reaches from the horizon to the slope ``rise``.
+
+    Directions are measured by ``y / (|x| + |y|)``, which grows around the circle as the angle does.
+    """
+    ray_x, ray_y = view.rays
+    turn = ray_y / (np.abs(ray_x) + np.abs(ray_y))
+    turn = np.where(ray_x >= 0, turn + 1.0, 3.0 - turn)
+    column = np.minimum((turn * (float(sky.widths[0]) / 4)).astype(np.int64), sky.widths[0] - 1)
+    height = int(sky.heights[0])
+    rows = np.arange(view.height)[:, None] + 0.5
+    place = (height - 1) - (view.horizon - rows) * (height / (rise * view.focal))
+    place += buffers.jitter[1]
+    row = np.minimum(np.maximum(place, 0.0), height - 0.5).astype(np.int64)
+    row *= sky.widths[0]
+    row += column
+    np.take(sky.texels, row, mode="clip", out=buffers.colour)
+    buffers.depth.fill(FAR)

@@ -1,0 +1,117 @@
+"""What is to be rendered: a frozen description that fits into a table of a dataset card."""
+
+from typing import Annotated, Literal, Self
+
+from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+
+Light = Literal["day", "dusk", "night"]
+Season = Literal["spring", "summer", "autumn", "winter"]
+
+
+class TraverseSpec(BaseModel):
+    """One walk along the path: when it was made, and how the camera was carried.
+
+    Attributes
+    ----------
+    name
+        Folder of the traverse.
+    light
+        ``day`` (sun and shadows), ``dusk`` (no sun, lamps on) or ``night`` (lamps and lit windows only,
+        recorded in grey with a high gain).
+    season
+        Decides the colours of leaves and grass; trees are bare in winter.
+    lateral
+        Metres to the left (positive) or right (negative) of the middle of the path.
+    eye_height
+        Height of the camera above the ground in metres.
+    pace_variation
+        How far, in metres, the walker runs ahead of or falls behind the nominal place of a frame.
+    shake
+        Strength of the jitter of a hand-held camera; 0 is a rail, 1 a person walking.
+    traffic
+        Share of the spots for people, bicycles and cars that are taken, from 0 to 1.
+    noise
+        Strength of the sensor's noise relative to what is usual under this light.
+    seed
+        Chooses what passes by, the weather of the sky and the jitter; the place itself does not change.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]*$")]
+    light: Light = "day"
+    season: Season = "summer"
+    lateral: Annotated[float, Field(ge=-8, le=8, allow_inf_nan=False)] = 0.0
+    eye_height: Annotated[float, Field(ge=0.5, le=3.2, allow_inf_nan=False)] = 1.6
+    pace_variation: Annotated[float, Field(ge=0, le=5, allow_inf_nan=False)] = 0.5
+    shake: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 1.0
+    traffic: Annotated[float, Field(ge=0, le=1)] = 0.5
+    noise: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 1.0
+    seed: Annotated[int, Field(ge=0)] = 0
+
+
+class SimulationSpec(BaseModel):
+    """A place and the traverses that are recorded in it.
+
+    Attributes
+    ----------
+    seed
+        Chooses the place: the course of the path, every building, tree and sign.
+    scene
+        The kind of place.
+    frames
+        Images per traverse; image ``i`` of every traverse shows place ``i``.
+    width, height
+        Size of the images in pixels.
+    step
+        Distance between neighbouring places along the path, in metres.
+    curvature
+        Greatest slope of the path against its overall direction (0 is straight, 0.5 winds by 27 degrees).
+    focal_length
+        Focal length in image widths; 0.85 sees 61 degrees across, as a telephone does.
+    quality
+        JPEG quality of the files.
+    traverses
+        One or more recordings with distinct names.
+
+    Examples
+    --------
+    >>> spec = SimulationSpec.model_validate({"seed": 1, "traverses": [{"name": "day"}]})
+    >>> spec.frames, spec.traverse("day").light
+    (200, 'day')
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    seed: Annotated[int, Field(ge=0)]
+    scene: Literal["campus"] = "campus"
+    frames: Annotated[int, Field(ge=1, le=1000)] = 200
+    width: Annotated[int, Field(ge=64, le=1920)] = 640
+    height: Annotated[int, Field(ge=36, le=1080)] = 360
+    step: Annotated[float, Field(gt=0, le=5, allow_inf_nan=False)] = 1.0
+    curvature: Annotated[float, Field(ge=0, le=0.6, allow_inf_nan=False)] = 0.35
+    focal_length: Annotated[float, Field(ge=0.3, le=3, allow_inf_nan=False)] = 0.85
+    quality: Annotated[int, Field(ge=50, le=100)] = 90
+    traverses: Annotated[tuple[TraverseSpec, ...], Field(min_length=1)]
+
+    @field_validator("width", "height")
+    @classmethod
+    def _even(cls, value: int) -> int:
+        if value % 2:
+            raise ValueError(f"must be even, got {value}")
+        return value
+
+    @model_validator(mode="after")
+    def _distinct(self) -> Self:
+        names = [traverse.name for traverse in self.traverses]
+        if len(set(names)) != len(names):
+            raise ValueError(f"traverses need distinct names, got {', '.join(names)}")
+        return self
+
+    def traverse(self, name: str) -> TraverseSpec:
+        """Return the traverse called ``name``."""
+        for traverse in self.traverses:
+            if traverse.name == name:
+                return traverse
+        names = ", ".join(traverse.name for traverse in self.traverses)
+        raise ValueError(f"no traverse {name!r} in the simulation; it has {names}")

@@ -1,0 +1,49 @@
+import numpy as np
+import pytest
+
+from vpr_bench.types.match import Match
+
+
+def test_types_are_settled_and_the_input_is_copied():
+    indices, scores = np.array([3, 1], dtype=np.int64), np.array([0.5, 0.5], dtype=np.float32)
+    match = Match(indices, scores)
+    indices[0], scores[0] = 9, 9
+    assert match.indices.tolist() == [3, 1] and match.scores.tolist() == [0.5, 0.5]
+    assert match.indices.dtype == np.int64 and match.scores.dtype == np.float32
+    assert len(match) == 2
+
+
+@pytest.mark.parametrize(
+    ("indices", "scores", "message"),
+    [
+        ([0, 1], [0.5], "shape"),
+        ([[0]], [[0.5]], "shape"),
+        ([], [], "at least one"),
+        ([0.0], [0.5], "integers"),
+        ([True], [0.5], "integers"),
+        ([-1], [0.5], "not negative"),
+        ([2, 2], [0.5, 0.4], "unique"),
+        ([0], [np.nan], "finite"),
+        ([0], [np.inf], "finite"),
+        ([0, 1], [0.4, 0.5], "must not increase"),
+    ],
+)
+def test_what_is_not_a_match_is_refused(indices, scores, message):
+    with pytest.raises(ValueError, match=message):
+        Match(indices, scores)
+
+
+def test_ranking_keeps_the_order_of_equal_scores():
+    match = Match.from_scores([0.2, 0.9, 0.2, 0.9], k=3)
+    assert match.indices.tolist() == [1, 3, 0]
+
+
+def test_ranking_of_candidates_names_the_candidates():
+    match = Match.from_scores([0.2, 0.9], k=10, candidates=[17, 4])
+    assert match.indices.tolist() == [4, 17]
+
+
+@pytest.mark.parametrize(("scores", "k"), [([0.5], 0), ([0.5, 0.4], -1), ([np.nan, 0.5], 1)])
+def test_ranking_refuses_what_cannot_be_ranked(scores, k):
+    with pytest.raises(ValueError, match="at least 1"):
+        Match.from_scores(scores, k)

@@ -1,0 +1,1 @@
+"""Datasets: cards that describe them, editions that hold their images, and loading one protocol."""

@@ -1,0 +1,45 @@
+"""Digests of what a traverse's files contain, so that a result says which images it was measured on."""
+
+import hashlib
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vpr_bench.errors import DataError
+from vpr_bench.types.traverse import Traverse
+
+
+def traverse_digest(traverse: Traverse) -> str:
+    """Return ``sha256:…`` over the name-sorted listing that ``sha256sum *`` prints for the traverse's files.
+
+    Raises
+    ------
+    DataError
+        If a file cannot be read.
+    """
+    listing = hashlib.sha256()
+    for name, digest in sorted(_file_digests(traverse)):
+        listing.update(f"{digest}  {name}\n".encode())
+    return f"sha256:{listing.hexdigest()}"
+
+
+def case_digest(traverses: list[str], labels: list[NDArray[np.float64]]) -> str:
+    """Return one digest over several traverses' digests and their place labels."""
+    total = hashlib.sha256("\n".join(traverses).encode())
+    for array in labels:
+        total.update(np.ascontiguousarray(array, dtype="<f8").tobytes())
+    return f"sha256:{total.hexdigest()}"
+
+
+def _file_digests(traverse: Traverse) -> list[tuple[str, str]]:
+    digests = []
+    for index, source in enumerate(traverse.sources):
+        if isinstance(source, np.ndarray):
+            digests.append((f"{index:09d}", hashlib.sha256(source.tobytes()).hexdigest()))
+            continue
+        try:
+            with source.open("rb") as file:
+                digests.append((source.name, hashlib.file_digest(file, "sha256").hexdigest()))
+        except OSError as error:
+            raise DataError(f"{source} cannot be read: {error.strerror}.") from None
+    return digests

@@ -1,0 +1,120 @@
+"""Where the images of a dataset come from: the real ones on disk, or the project's own simulated ones."""
+
+import shutil
+import tempfile
+from pathlib import Path
+from typing import Protocol
+
+from vpr_bench.dataset.card import Card
+from vpr_bench.dataset.folders import cache_root, data_root
+from vpr_bench.errors import DataError, UsageError
+from vpr_bench.registry import import_object
+
+EDITIONS = ("auto", "real", "simulated")
+"""``auto`` is ``real`` where the images are on disk, else ``simulated``; it is never downloaded unasked."""
+
+
+class Renderer(Protocol):
+    """What a card's ``simulation.renderer`` makes from the card's ``simulation.options``."""
+
+    def fingerprint(self) -> str:
+        """Return a short text that changes whenever any rendered pixel does."""
+        ...
+
+    def render(self, folder: Path) -> None:
+        """Write every traverse into an empty folder, in the real edition's layout."""
+        ...
+
+
+_DEPTH = 2  # archives nest the traverses in one folder, some in two
+
+
+def find_real(card: Card) -> Path | None:
+    """Return the folder under the data root that holds the dataset's traverse folders, or None.
+
+    A folder that holds only some of them counts: a damaged dataset is an error, not a missing one.
+    """
+    root = data_root()
+    for name in [card.id, *card.folders]:
+        found = _search(root / name, card, _DEPTH)
+        if found is not None:
+            return found
+    return None
+
+
+def _search(folder: Path, card: Card, depth: int) -> Path | None:
+    if not folder.is_dir():
+        return None
+    if any((folder / traverse.path).is_dir() for traverse in card.traverses):
+        return folder
+    if depth == 0:
+        return None
+    for inner in sorted(path for path in folder.iterdir() if path.is_dir()):
+        found = _search(inner, card, depth - 1)
+        if found is not None:
+            return found
+    return None
+
+
+def resolve_edition(card: Card, edition: str) -> tuple[str, Path]:
+    """Choose the edition and return its name with the folder that holds its traverses.
+
+    Parameters
+    ----------
+    card : Card
+        The dataset.
+    edition : {"auto", "real", "simulated"}
+        What was asked for.
+
+    Raises
+    ------
+    UsageError
+        If there is no such edition.
+    DataError
+        If the real images were asked for and are not on disk.
+    """
+    if edition not in EDITIONS:
+        raise UsageError(f"The edition must be one of {', '.join(EDITIONS)}. Got {edition!r} instead.")
+    if edition != "simulated":
+        found = find_real(card)
+        if found is not None:
+            return "real", found
+    if edition == "real" or card.simulation is None:
+        raise DataError(
+            f"The real images of {card.id} are not under {data_root()}. "
+            f"Fetch them with `vpr-bench data fetch {card.id}`, or set VPR_BENCH_DATA to the folder that has them."
+        )
+    return "simulated", _rendered(card)
+
+
+def _rendered(card: Card) -> Path:
+    """Return the folder of the simulated edition; render it once, whole or not at all."""
+    from filelock import FileLock
+
+    assert card.simulation is not None  # noqa: S101
+    renderer: Renderer = import_object(card.simulation.renderer)(card.simulation.options)
+    folder = cache_root() / "simulated" / f"{card.id}-{renderer.fingerprint()}"
+    if folder.is_dir():
+        return folder
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with FileLock(folder.with_name(folder.name + ".lock")):
+            if not folder.is_dir():
+                _render_into(renderer, folder)
+    except OSError as error:
+        reason = error.strerror or error
+        raise DataError(f"The simulated images of {card.id} cannot be written to {folder}: {reason}.") from None
+    return folder
+
+
+def _render_into(renderer: Renderer, folder: Path) -> None:
+    for leftover in folder.parent.glob(f"{folder.name}.partial-*"):  # of a killed process: we hold the lock
+        shutil.rmtree(leftover, ignore_errors=True)
+    partial = Path(tempfile.mkdtemp(prefix=f"{folder.name}.partial-", dir=folder.parent))
+    try:
+        renderer.render(partial)
+        partial.chmod(0o755)
+        partial.replace(folder)
+    except BaseException:
+        shutil.rmtree(partial, ignore_errors=True)
+        raise

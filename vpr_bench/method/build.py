@@ -1,0 +1,111 @@
+"""From a name and parameters to a method, and back to what stands in the result."""
+
+import hashlib
+import inspect
+import sys
+import typing
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from vpr_bench.errors import UsageError, closest
+from vpr_bench.method.interfaces import Method, Weighted
+from vpr_bench.registry import Entry, Registry
+
+METHODS: Registry[type[Method]] = Registry("vpr_bench.methods", "method")
+
+
+@dataclass(frozen=True)
+class BuiltMethod:
+    """A method with everything that identifies it in a result.
+
+    Attributes
+    ----------
+    id : str
+        Registered name or ``module:Class``.
+    version : str
+        The class's ``version``, else a digest of its source file, so that edited code is not taken for the same.
+    parameters : dict
+        Every constructor parameter with its value.
+    weights : str or None
+        Digest of the pre-trained weights.
+    method : Method
+        Not fitted yet.
+    """
+
+    id: str
+    version: str
+    parameters: dict[str, Any]
+    weights: str | None
+    method: Method
+
+
+def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: int | None = None) -> BuiltMethod:
+    """Make a method from its name and parameters.
+
+    Parameters
+    ----------
+    name : str
+        A registered method or ``module:Class``.
+    parameters : mapping, optional
+        Constructor arguments; strings are converted to the annotated types.
+    seed : int, optional
+        Passed on as the parameter ``seed`` if the method has one and ``parameters`` does not set it.
+
+    Raises
+    ------
+    UsageError
+        If the method is unknown or is not a method, or a parameter is unknown or of the wrong type.
+    """
+    entry = METHODS.entry(name)
+    factory = entry.load()
+    if not callable(factory) or not all(hasattr(factory, part) for part in ("fit", "match")):
+        raise UsageError(f"{name!r} is not a method: {entry.target} must be a class with fit and match.")
+    known = inspect.signature(factory).parameters
+    given = dict(parameters or {})
+    if seed is not None and "seed" in known:
+        given.setdefault("seed", seed)
+    for parameter in given:
+        if parameter not in known:
+            raise UsageError(f"The method {name!r} has no parameter {parameter!r}. {closest(parameter, known)}")
+    typed = {key: _convert(name, factory, key, value) for key, value in given.items()}
+    try:
+        method = factory(**typed)
+    except (TypeError, ValueError) as error:
+        raise UsageError(f"The method {name!r} refuses its parameters: {error}") from error
+    values = {key: getattr(method, key, typed.get(key)) for key in known}
+    weights = method.weights_digest() if isinstance(method, Weighted) else None
+    return BuiltMethod(entry.name, _version(entry, factory), values, weights, method)
+
+
+def describe_parameters(entry: Entry) -> dict[str, str]:
+    """Return each parameter of a method with its default, as text."""
+    signature = inspect.signature(entry.load())
+    return {
+        name: "required" if parameter.default is parameter.empty else repr(parameter.default)
+        for name, parameter in signature.parameters.items()
+    }
+
+
+def _convert(method: str, factory: Any, parameter: str, value: Any) -> Any:
+    from pydantic import TypeAdapter, ValidationError
+
+    hints = typing.get_type_hints(factory.__init__)
+    if parameter not in hints:
+        return value
+    try:
+        return TypeAdapter(hints[parameter]).validate_python(value)
+    except ValidationError as error:
+        reason = error.errors()[0]["msg"]
+        raise UsageError(f"The parameter {parameter!r} of {method!r}: {reason}. Got {value!r} instead.") from None
+
+
+def _version(entry: Entry, factory: Any) -> str:
+    declared = getattr(factory, "version", None)
+    if isinstance(declared, str):
+        return declared
+    source = getattr(sys.modules.get(factory.__module__), "__file__", None)
+    if source is None:
+        return entry.origin
+    return "source:" + hashlib.sha256(Path(source).read_bytes()).hexdigest()[:16]

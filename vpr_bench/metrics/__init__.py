@@ -1,0 +1,1 @@
+"""The numbers that are made of a run's stored answers, offline."""
