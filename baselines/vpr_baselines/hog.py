@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_baselines.photometry import grey, resized
 from vpr_baselines.retrieval import Retrieval
 
 
@@ -55,6 +56,5 @@ class Hog(Retrieval):
 
     def describe(self, image: NDArray[np.uint8]) -> NDArray[np.float32]:
         """Turn one (H, W, 3) uint8 RGB image into its (D,) float32 HOG, D = (size/cell - 1)² · 4 · bins."""
-        grey = cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
-        square = cv2.resize(grey, (self.size, self.size), interpolation=cv2.INTER_AREA)
+        square = resized(grey(image), self.size, self.size)
         return np.asarray(self._extractor.compute(square), dtype=np.float32).ravel()

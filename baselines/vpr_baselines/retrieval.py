@@ -52,4 +52,4 @@ class Retrieval:
 def normalised(vectors: NDArray[np.float32]) -> NDArray[np.float32]:
     """Scale (…, D) vectors to unit length along the last axis; zero vectors stay zero."""
     lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return (vectors / np.maximum(lengths, np.finfo(np.float32).tiny)).astype(np.float32, copy=False)
+    return np.asarray(vectors / np.maximum(lengths, np.finfo(np.float32).tiny), dtype=np.float32)

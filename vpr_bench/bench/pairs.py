@@ -23,9 +23,9 @@ def run(queries: int = 27592, dimensions: int = 256, radius: float = 10, seed: i
     """Measure :func:`vpr_bench.metrics.pairs.pr_auc_pairs` on made-up descriptors, in a fresh process.
 
     Two traverses of the same route are described, with one reference per query: neighbouring frames resemble
-    each other, and both traverses add noise of their own. The clock runs from the descriptors in memory to the
-    value, computing every score twice; making the descriptors and the ground truth is not timed. The peak
-    memory is that of the whole process, interpreter and descriptors included.
+    each other, and both traverses add noise of their own. The clock runs from the descriptors in memory to
+    the value, computing every score twice; making the descriptors and the ground truth is not timed. The
+    peak memory is that of the whole process, interpreter and descriptors included.
 
     Parameters
     ----------

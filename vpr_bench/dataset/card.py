@@ -97,10 +97,10 @@ class Card(_Frozen):
     @model_validator(mode="after")
     def _names_exist(self) -> "Card":
         known = {traverse.name for traverse in self.traverses}
-        for pair in [*self.protocols, *self.published]:
-            for name in [*pair.references.split("+"), *pair.queries.split("+")]:
-                if name not in known:
-                    raise ValueError(f"there is no traverse {name!r}. {closest(name, known)}")
+        pairs: list[ProtocolCard | Published] = [*self.protocols, *self.published]
+        for name in [name for pair in pairs for name in [*pair.references.split("+"), *pair.queries.split("+")]]:
+            if name not in known:
+                raise ValueError(f"there is no traverse {name!r}. {closest(name, known)}")
         return self
 
     @classmethod

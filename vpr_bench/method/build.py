@@ -30,6 +30,8 @@ class BuiltMethod:
         Every constructor parameter with its value.
     weights : str or None
         Digest of the pre-trained weights.
+    label : str
+        The id with the parameters that differ from their defaults, for tables; the seed is left out.
     method : Method
         Not fitted yet.
     """
@@ -38,6 +40,7 @@ class BuiltMethod:
     version: str
     parameters: dict[str, Any]
     weights: str | None
+    label: str
     method: Method
 
 
@@ -76,7 +79,11 @@ def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: i
         raise UsageError(f"The method {name!r} refuses its parameters: {error}") from error
     values = {key: getattr(method, key, typed.get(key)) for key in known}
     weights = method.weights_digest() if isinstance(method, Weighted) else None
-    return BuiltMethod(entry.name, _version(entry, factory), values, weights, method)
+    changed = [
+        f"{key}={value}" for key, value in values.items() if key != "seed" and value != known[key].default
+    ]
+    label = f"{entry.name}({', '.join(changed)})" if changed else entry.name
+    return BuiltMethod(entry.name, _version(entry, factory), values, weights, label, method)
 
 
 def describe_parameters(entry: Entry) -> dict[str, str]:

@@ -7,7 +7,7 @@ import dataclasses
 import math
 import re
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 from vpr_bench.errors import UsageError
 
@@ -122,14 +122,16 @@ class Protocol:
             radius = 0.0 if part["pair"] else float(part["radius"])
         except ValueError:
             raise UsageError(f"{part['radius']!r} in {text!r} is not a number.") from None
+        unit: Any = "pair" if part["pair"] else part["unit"]  # the pattern and __post_init__ check both
+        unmatched: Any = part["unmatched"] or "exclude"
         return cls(
             dataset=part["dataset"],
             references=part["references"],
             queries=part["queries"],
             radius=radius,
-            unit="pair" if part["pair"] else part["unit"],
+            unit=unit,
             edition=part["edition"] or "real",
-            unmatched=part["unmatched"] or "exclude",
+            unmatched=unmatched,
         )
 
 

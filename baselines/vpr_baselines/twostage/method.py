@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, ClassVar, Self
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
@@ -13,6 +12,7 @@ from safetensors.numpy import load_file, save_file
 from vpr_baselines.backbones.pooling import gem
 from vpr_baselines.backbones.trunk import Backbone, Trunk, load_trunk, weights_digest
 from vpr_baselines.hog import Hog
+from vpr_baselines.photometry import resized
 from vpr_baselines.retrieval import normalised
 from vpr_baselines.twostage.augment import augmented
 from vpr_baselines.twostage.clusters import Clusters, by_count, by_similarity
@@ -147,7 +147,7 @@ class TwoStage:
         descriptors, owners, hogs = [], [], []
         for index, image in enumerate(track(references, "Describing references, augmented five-fold")):
             # Augmenting at the trunk's own size costs a fifth of it and shows the trunk the same.
-            small = np.asarray(cv2.resize(image, (self.width, self.height), interpolation=cv2.INTER_AREA))
+            small = resized(image, self.width, self.height)
             variants = [image, *augmented(small, self.seed, index)]
             descriptors.append(gem(self._trunk.encode(variants)))
             owners.extend([index] * len(variants))

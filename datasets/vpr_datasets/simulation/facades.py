@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vpr_datasets.simulation.chance import Dice
-from vpr_datasets.simulation.materials import WALLS, toned, tinted
+from vpr_datasets.simulation.materials import WALLS, tinted, toned
 from vpr_datasets.simulation.texture import Canvas, Colour
 
 STOREY = 3.4

@@ -96,12 +96,11 @@ def paint_ground(seed: int, season: Season, course: Course, floors: list[Floor])
     base = course.y[index] + slope * (x - (index + 0.5) * GRID)
     aside = (y - base) / norm
     # The foot of the perpendicular lies further along by the slope times the distance from the path.
-    foot = ((x + (aside * slope / norm)) / GRID).astype(np.int64)
-    foot = np.minimum(np.maximum(foot, 0), knots - 1)
+    ahead = x + aside * slope / norm
+    foot = np.minimum(np.maximum((ahead / GRID).astype(np.int64), 0), knots - 1)
     reach = half[foot]
     size = np.int64(TILE * DENSITY)
-    along = ((course.arc[foot] + 64.0) * DENSITY).astype(np.int64)
-    along += (np.arange(columns) % int(DENSITY * GRID)).astype(np.int64)
+    along = ((course.arc[foot] + (ahead - foot * GRID) * norm + 64.0) * DENSITY).astype(np.int64)
     kind = np.where(aside > 0, left[foot], right[foot])
     inside = np.abs(aside) < reach
     kind = np.where(inside, middle[foot], kind)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from vpr_datasets.simulation.chance import Dice
-from vpr_datasets.simulation.materials import toned, tinted
+from vpr_datasets.simulation.materials import tinted, toned
 from vpr_datasets.simulation.noise import value_noise
 from vpr_datasets.simulation.spec import Season
 from vpr_datasets.simulation.texture import SURFACE, Canvas, Colour

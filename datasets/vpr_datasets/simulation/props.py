@@ -2,7 +2,7 @@
 
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.facades import ACCENTS, WORDS
-from vpr_datasets.simulation.materials import BRICK, CONCRETE, WOOD, blocks, toned, tinted
+from vpr_datasets.simulation.materials import BRICK, CONCRETE, WOOD, blocks, tinted, toned
 from vpr_datasets.simulation.texture import Canvas, Colour
 
 STEEL: Colour = (104, 108, 112)

@@ -33,7 +33,7 @@ class Wall:
 class Slab:
     """A level rectangle: its first corner, the unit vector of its length, and its sizes in metres.
 
-    Its width lies to the left of its length. ``normal_level`` fixes nothing but its height.
+    Its width lies to the left of its length.
     """
 
     corner: Point
@@ -125,8 +125,8 @@ class Stage:
         """Put down a box: ``s`` and ``t`` are its middle, ``length`` goes along the path."""
         near, far = s - length / 2, s + length / 2
         inner, outer = t - width / 2, t + width / 2
-        self.wall((far, inner), (near, inner), low, high, side, "front" if t > 0 else "both")
-        self.wall((near, outer), (far, outer), low, high, side, "front" if t < 0 else "both")
+        self.wall((near, inner), (far, inner), low, high, side)
+        self.wall((far, outer), (near, outer), low, high, side)
         self.wall((near, outer), (near, inner), low, high, end)
         self.wall((far, inner), (far, outer), low, high, end)
         if top is not None:

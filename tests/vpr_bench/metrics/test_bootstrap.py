@@ -63,7 +63,8 @@ def test_resamples_in_which_a_metric_is_undefined_are_left_out(make):
 
 
 def test_the_interval_covers_the_truth_as_often_as_it_says(make):
-    # 300 experiments of 200 queries with a true recall of 0.7: of 95 % intervals, 95 % +- 1.3 % should hold it.
+    # 300 experiments of 200 queries with a true recall of 0.7: 95 % of the intervals, give
+    # or take 1.3 %, should hold it.
     held = 0
     for experiment in range(300):
         answers = make(flips(200, 0.7, experiment), np.zeros(200))
@@ -98,9 +99,9 @@ def test_runs_on_different_queries_are_not_compared(make):
 
 def test_impossible_settings_are_refused(make):
     answers = make([1], [1])
-    with pytest.raises(UsageError, match="at least 1. Got 0"):
+    with pytest.raises(UsageError, match=r"at least 1\. Got 0"):
         bootstrap(answers, ["pr_auc"], resamples=0)
-    with pytest.raises(UsageError, match=r"between 0 and 1. Got 95"):
+    with pytest.raises(UsageError, match=r"between 0 and 1\. Got 95"):
         bootstrap(answers, ["pr_auc"], resamples=1, confidence=95)
     with pytest.raises(UsageError, match="no metric"):
         bootstrap(answers, ["pr_auck"])

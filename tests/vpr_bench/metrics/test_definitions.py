@@ -67,7 +67,7 @@ def test_recall_at_an_impossible_depth_is_refused(name):
 
 
 def test_an_unknown_metric_is_refused_with_the_closest_one(make):
-    with pytest.raises(UsageError, match="no metric 'pr_auk'. Did you mean 'pr_auc'"):
+    with pytest.raises(UsageError, match=r"no metric 'pr_auk'\. Did you mean 'pr_auc'"):
         compute(["recall@1", "pr_auk"], make([1], [1]))
 
 

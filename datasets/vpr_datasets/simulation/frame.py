@@ -1,0 +1,65 @@
+"""One picture, from the place on the path to the pixels."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vpr_datasets.simulation.chance import Dice
+from vpr_datasets.simulation.raster import Buffers, draw_sky, draw_slab, draw_walls
+from vpr_datasets.simulation.scene import Scene, build_scene
+from vpr_datasets.simulation.sensor import develop, illuminate
+from vpr_datasets.simulation.sky import RISE
+from vpr_datasets.simulation.spec import SimulationSpec
+from vpr_datasets.simulation.stage import Stage, Walls
+from vpr_datasets.simulation.view import view_at
+
+REACH = 110.0
+"""How far walls are drawn, in metres."""
+
+SLAB_REACH = 45.0
+"""How far level pieces but the ground are drawn, in metres."""
+
+
+def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint8]:
+    """Render image ``index`` of the traverse called ``name``.
+
+    Returns
+    -------
+    image : (H, W, 3) uint8
+        RGB.
+
+    Examples
+    --------
+    >>> spec = SimulationSpec.model_validate(
+    ...     {"seed": 1, "frames": 2, "width": 64, "height": 36, "traverses": [{"name": "day"}]}
+    ... )
+    >>> render_frame(spec, "day", 0).shape
+    (36, 64, 3)
+    """
+    if not 0 <= index < spec.frames:
+        raise ValueError(f"frame index must be in [0, {spec.frames}), got {index}")
+    traverse = spec.traverse(name)
+    scene = build_scene(spec, name)
+    view = view_at(spec, traverse, scene.course, index)
+    buffers = Buffers(
+        np.empty((spec.height, spec.width), dtype=np.uint32),
+        np.empty((spec.height, spec.width), dtype=np.float64),
+        scene.jitter,
+    )
+    draw_sky(buffers, view, scene.sky, RISE)
+    draw_slab(buffers, view, scene.ground, REACH)
+    draw_walls(buffers, view, scene.walls, REACH)
+    draw_walls(buffers, view, _passers(scene, spec, index), REACH)
+    for slab in scene.slabs:
+        draw_slab(buffers, view, slab, SLAB_REACH)
+    light = illuminate(buffers, view, scene.grid, traverse.light)
+    return develop(light, traverse, Dice(spec.seed, traverse.seed, traverse.name, "sensor", index))
+
+
+def _passers(scene: Scene, spec: SimulationSpec, index: int) -> Walls:
+    """Return the people on the way as they stand in one frame."""
+    stage = Stage(scene.course)
+    for mover in scene.movers:
+        s = mover.meeting * spec.step + (index - mover.meeting) * mover.pace
+        if -2.0 < s - index * spec.step < 60.0:
+            stage.cutout(s, mover.lateral, mover.width, mover.height, mover.texture)
+    return Walls.of(stage.walls)

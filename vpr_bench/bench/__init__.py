@@ -1,0 +1,1 @@
+"""Benchmarks of the harness itself: how long, and in how much memory."""

@@ -1,0 +1,1 @@
+"""Running one method on one protocol, and storing what it answered; no metric is computed here."""

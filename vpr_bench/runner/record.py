@@ -1,0 +1,103 @@
+"""``run.json``: everything about a run except its arrays."""
+
+import hashlib
+import json
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict, ValidationError
+
+from vpr_bench.errors import DataError
+from vpr_bench.runner.machine import Machine
+
+SCHEMA_VERSION = 1
+
+
+class RunKey(BaseModel):
+    """What makes two runs the same run: equal keys give equal answers, on one machine bit by bit.
+
+    The radius is not in it: it decides how answers are scored, not what they are, so that one run serves
+    every radius. ``dataset_digest`` stands for the images, ``pairing`` for their roles.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    source: str
+    pairing: str
+    dataset_digest: str
+    method: str
+    version: str
+    parameters: dict[str, Any]
+    weights: str | None
+    seed: int
+    k: int
+    limit: int | None
+    threads: int
+
+    def digest(self) -> str:
+        """Return the first 12 hexadecimal digits of the SHA-256 over the key's canonical JSON."""
+        canonical = json.dumps(self.model_dump(mode="json"), sort_keys=True, separators=(",", ":"))
+        return hashlib.sha256(canonical.encode()).hexdigest()[:12]
+
+
+class RunRecord(BaseModel):
+    """One complete run.
+
+    Attributes
+    ----------
+    key : RunKey
+        What identifies it.
+    protocol : str
+        Canonical id of the protocol it was asked for, radius included.
+    label : str
+        The method with the parameters that differ from their defaults.
+    partial : bool
+        Only some of the queries were asked (``--limit``): never ranked.
+    resumed : bool
+        It was interrupted and continued, so that its times come from several processes.
+    fit_seconds : float
+        Wall time of fitting, decoding included.
+    peak_memory : dict
+        Largest resident memory in bytes while fitting and while matching.
+    files : dict
+        ``sha256:…`` of each array file beside it.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    schema_version: int = SCHEMA_VERSION
+    key: RunKey
+    protocol: str
+    label: str
+    n_references: int
+    n_queries: int
+    partial: bool
+    resumed: bool
+    fit_seconds: float
+    peak_memory: dict[str, int]
+    machine: Machine
+    created: str
+    files: dict[str, str]
+
+
+def read_record(path: Path) -> RunRecord:
+    """Read a ``run.json``.
+
+    Raises
+    ------
+    DataError
+        If it is missing, damaged, or of a schema that this version does not know.
+    """
+    try:
+        content = json.loads(path.read_text("utf-8"))
+    except (OSError, ValueError) as error:
+        raise DataError(f"{path} is missing or damaged: {error}.") from None
+    found = content.get("schema_version") if isinstance(content, dict) else None
+    if found != SCHEMA_VERSION:
+        raise DataError(f"{path} has schema version {found!r}; this vpr-bench reads {SCHEMA_VERSION}.")
+    try:
+        return RunRecord.model_validate(content)
+    except ValidationError as error:
+        first = error.errors()[0]
+        where = ".".join(str(part) for part in first["loc"])
+        raise DataError(f"{path} is damaged: {where}: {first['msg']}.") from None

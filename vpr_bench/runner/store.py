@@ -1,0 +1,186 @@
+"""Where runs lie on disk: ``runs/<dataset>/<references>-<queries>/<method>/<hash>/``."""
+
+import shutil
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vpr_bench.errors import DataError
+from vpr_bench.progress import task
+from vpr_bench.runner.files import digest_of, read_arrays
+from vpr_bench.runner.record import RunKey, RunRecord, read_record
+from vpr_bench.types.ground_truth import GroundTruth
+from vpr_bench.types.protocol import Protocol
+
+RECORD, MATCHES, TIMINGS, LABELS = "run.json", "matches.npz", "timings.npz", "labels.npz"
+
+
+class StoreWarning(UserWarning):
+    """Something on disk is not as it was left."""
+
+
+@dataclass(frozen=True, eq=False)
+class StoredRun:
+    """A complete run on disk; its arrays are read when they are asked for.
+
+    Attributes
+    ----------
+    folder : Path
+        Holds ``run.json``, ``matches.npz``, ``timings.npz`` and ``labels.npz``.
+    record : RunRecord
+        What it is.
+    """
+
+    folder: Path
+    record: RunRecord
+
+    @classmethod
+    def open(cls, folder: Path) -> "StoredRun":
+        """Open a run and check its files against their digests.
+
+        Raises
+        ------
+        DataError
+            If something is missing or damaged.
+        """
+        record = read_record(folder / RECORD)
+        for name, digest in record.files.items():
+            if digest_of(folder / name) != digest:
+                raise DataError(
+                    f"{folder / name} is damaged: it is not what run.json recorded. "
+                    "Run the same command again to redo it."
+                )
+        return cls(folder, record)
+
+    @property
+    def protocol(self) -> Protocol:
+        """The protocol that the run was asked for."""
+        return Protocol.parse(self.record.protocol)
+
+    @cached_property
+    def _matches(self) -> dict[str, NDArray[Any]]:
+        return read_arrays(self.folder / MATCHES, "queries", "indices", "scores")
+
+    @property
+    def queries(self) -> NDArray[np.int64]:
+        """(n,) int64: which queries were asked, ascending."""
+        return self._matches["queries"].astype(np.int64, copy=False)
+
+    @property
+    def indices(self) -> NDArray[np.int64]:
+        """(n, k) int64: ranked references per query, padded with -1."""
+        return self._matches["indices"].astype(np.int64, copy=False)
+
+    @property
+    def scores(self) -> NDArray[np.float32]:
+        """(n, k) float32: their scores, padded with -inf."""
+        return self._matches["scores"].astype(np.float32, copy=False)
+
+    def ground_truth(self, radius: float) -> GroundTruth:
+        """Return which references are right for the queries that were asked, at any radius."""
+        labels = read_arrays(self.folder / LABELS, "queries", "references")
+        return GroundTruth.from_radius(labels["queries"][self.queries], labels["references"], radius)
+
+    @cached_property
+    def seconds(self) -> dict[str, NDArray[np.float64]]:
+        """(n,) float64 seconds per stage: ``decode``, the method's own stages, and ``total`` without decode."""
+        return read_arrays(self.folder / TIMINGS, "total")
+
+
+@dataclass(frozen=True)
+class RunStore:
+    """All runs under one folder."""
+
+    root: Path
+
+    def folder(self, key: RunKey) -> Path:
+        """Return where the run of this key lies, or will."""
+        # Windows allows no colon in a file name.
+        source, method = key.source.replace(":", "."), key.method.replace(":", ".")
+        return self.root / source / key.pairing / method / key.digest()
+
+    def find(self, key: RunKey) -> StoredRun | None:
+        """Return the complete run of this key, None if there is none.
+
+        Raises
+        ------
+        DataError
+            If it is there and damaged.
+        """
+        folder = self.folder(key)
+        return StoredRun.open(folder) if folder.exists() else None
+
+    def runs(self) -> list[StoredRun]:
+        """Return all complete runs, oldest first; damaged ones are left out with a warning."""
+        found = []
+        for record in sorted(self.root.glob(f"*/*/*/*/{RECORD}")):
+            if "." in record.parent.name:  # being written, or put aside
+                continue
+            try:
+                found.append(StoredRun.open(record.parent))
+            except DataError as error:
+                warnings.warn(str(error), StoreWarning, stacklevel=2)
+        return sorted(found, key=lambda run: (run.record.created, run.folder))
+
+    @contextmanager
+    def claim(self, key: RunKey) -> Iterator[Path]:
+        """Hold the run against other processes and yield the folder to work in; wait while another holds it.
+
+        Raises
+        ------
+        DataError
+            If the store cannot be written to.
+        """
+        from filelock import FileLock, Timeout
+
+        folder = self.folder(key)
+        try:
+            folder.parent.mkdir(parents=True, exist_ok=True)
+            lock = FileLock(folder.with_name(folder.name + ".lock"))
+            try:
+                lock.acquire(timeout=0)
+            except Timeout:
+                with task("Waiting for another process that does the same run"):
+                    lock.acquire()
+        except OSError as error:
+            reason = error.strerror or error
+            raise DataError(f"Runs cannot be written to {folder.parent}: {reason}. Choose another --output.") from None
+        try:
+            self._recover(folder)
+            yield folder.with_name(folder.name + ".partial")
+        finally:
+            lock.release()
+
+    def complete(self, key: RunKey) -> StoredRun:
+        """Move the finished working folder into place, over an older run of the same key."""
+        folder = self.folder(key)
+        former = folder.with_name(folder.name + ".former")
+        if folder.exists():
+            folder.replace(former)
+        folder.with_name(folder.name + ".partial").replace(folder)
+        shutil.rmtree(former, ignore_errors=True)
+        return StoredRun.open(folder)
+
+    def put_aside(self, key: RunKey) -> Path:
+        """Move a damaged run out of the way, without deleting it; return where it is."""
+        folder = self.folder(key)
+        aside = folder.with_name(folder.name + ".damaged")
+        shutil.rmtree(aside, ignore_errors=True)
+        return folder.replace(aside)
+
+    @staticmethod
+    def _recover(folder: Path) -> None:
+        """Undo what :meth:`complete` had begun when its process was killed between its two renames."""
+        former = folder.with_name(folder.name + ".former")
+        if former.exists():
+            if folder.exists():
+                shutil.rmtree(former)
+            else:
+                former.replace(folder)
