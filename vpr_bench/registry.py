@@ -91,9 +91,7 @@ class Registry(Generic[T]):
         Where entry points come from; the installed packages by default.
     """
 
-    def __init__(
-        self, group: str, noun: str, find: Callable[..., Iterable[EntryPoint]] | None = None
-    ) -> None:
+    def __init__(self, group: str, noun: str, find: Callable[..., Iterable[EntryPoint]] | None = None) -> None:
         self.group = group
         self.noun = noun
         self._find = find or entry_points

@@ -73,7 +73,6 @@ class Published(_Frozen):
     metric: str
     value: float
     source: str
-    second_hand: bool = Field(False, description="not checked at its source")
 
 
 class Card(_Frozen):

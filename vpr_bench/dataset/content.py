@@ -5,7 +5,7 @@ import hashlib
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_bench.errors import DataError
+from vpr_bench.files.digest import sha256_of_file
 from vpr_bench.types.traverse import Traverse
 
 
@@ -36,10 +36,6 @@ def _file_digests(traverse: Traverse) -> list[tuple[str, str]]:
     for index, source in enumerate(traverse.sources):
         if isinstance(source, np.ndarray):
             digests.append((f"{index:09d}", hashlib.sha256(source.tobytes()).hexdigest()))
-            continue
-        try:
-            with source.open("rb") as file:
-                digests.append((source.name, hashlib.file_digest(file, "sha256").hexdigest()))
-        except OSError as error:
-            raise DataError(f"{source} cannot be read: {error.strerror}.") from None
+        else:
+            digests.append((source.name, sha256_of_file(source).removeprefix("sha256:")))
     return digests

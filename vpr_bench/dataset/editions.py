@@ -8,6 +8,7 @@ from typing import Protocol
 from vpr_bench.dataset.card import Card
 from vpr_bench.dataset.folders import cache_root, data_root
 from vpr_bench.errors import DataError, UsageError
+from vpr_bench.files.disk import disk_errors
 from vpr_bench.registry import import_object
 
 EDITIONS = ("auto", "real", "simulated")
@@ -36,13 +37,14 @@ def find_real(card: Card) -> Path | None:
     """
     root = data_root()
     for name in [card.id, *card.folders]:
-        found = _search(root / name, card, _DEPTH)
+        found = search(root / name, card)
         if found is not None:
             return found
     return None
 
 
-def _search(folder: Path, card: Card, depth: int) -> Path | None:
+def search(folder: Path, card: Card, depth: int = _DEPTH) -> Path | None:
+    """Return the folder that holds the traverse folders: this one, or one nested in it; None if there is none."""
     if not folder.is_dir():
         return None
     if any((folder / traverse.path).is_dir() for traverse in card.traverses):
@@ -50,7 +52,7 @@ def _search(folder: Path, card: Card, depth: int) -> Path | None:
     if depth == 0:
         return None
     for inner in sorted(path for path in folder.iterdir() if path.is_dir()):
-        found = _search(inner, card, depth - 1)
+        found = search(inner, card, depth - 1)
         if found is not None:
             return found
     return None
@@ -96,14 +98,13 @@ def _rendered(card: Card) -> Path:
     folder = cache_root() / "simulated" / f"{card.id}-{renderer.fingerprint()}"
     if folder.is_dir():
         return folder
-    try:
+    with disk_errors(folder):
         folder.parent.mkdir(parents=True, exist_ok=True)
-        with FileLock(folder.with_name(folder.name + ".lock")):
+        lock = folder.with_name(folder.name + ".lock")
+        lock.touch()  # what cannot be made is an error now; a lock would wait for it for ever
+        with FileLock(lock):
             if not folder.is_dir():
                 _render_into(renderer, folder)
-    except OSError as error:
-        reason = error.strerror or error
-        raise DataError(f"The simulated images of {card.id} cannot be written to {folder}: {reason}.") from None
     return folder
 
 

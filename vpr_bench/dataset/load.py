@@ -14,7 +14,7 @@ from vpr_bench.dataset.editions import resolve_edition
 from vpr_bench.errors import UsageError
 from vpr_bench.registry import import_object
 from vpr_bench.types.ground_truth import GroundTruth
-from vpr_bench.types.protocol import Protocol
+from vpr_bench.types.protocol import Protocol, Unmatched
 from vpr_bench.types.traverse import Traverse
 
 
@@ -36,6 +36,8 @@ class Case:
         Place labels in the protocol's unit. Methods never see them.
     digest : str
         ``sha256:…`` over the content of all image files and the labels.
+    folder : Path
+        Holds the traverses.
     """
 
     protocol: Protocol
@@ -44,14 +46,37 @@ class Case:
     reference_labels: NDArray[np.float64]
     query_labels: NDArray[np.float64]
     digest: str
+    folder: Path
 
     @cached_property
     def ground_truth(self) -> GroundTruth:
         """Which references show the same place as each query, at the protocol's radius."""
         return GroundTruth.from_radius(self.query_labels, self.reference_labels, self.protocol.radius)
 
+    def check_radius(self, radius: float) -> None:
+        """Refuse a radius that makes every answer right.
 
-def load_case(dataset: str, protocol: str | None = None, edition: str = "auto", radius: float | None = None) -> Case:
+        Raises
+        ------
+        UsageError
+            If it reaches from one end of the map to the other.
+        """
+        labels, unit = self.reference_labels, self.protocol.unit
+        extent = float(np.ptp(labels, axis=0).max()) if len(labels) > 1 else float("inf")
+        if radius >= extent:
+            raise UsageError(
+                f"The radius {radius:g}{unit} reaches over the whole map ({extent:g}{unit} from end to end): "
+                "every answer would be right. Give a smaller one."
+            )
+
+
+def load_case(
+    dataset: str,
+    protocol: str | None = None,
+    edition: str = "auto",
+    radius: float | None = None,
+    unmatched: Unmatched | None = None,
+) -> Case:
     """Load one protocol of a dataset.
 
     Parameters
@@ -64,6 +89,8 @@ def load_case(dataset: str, protocol: str | None = None, edition: str = "auto", 
         ``auto`` takes the real images where they are on disk.
     radius : float, optional
         Instead of the protocol's own, in its unit.
+    unmatched : {"exclude", "miss", "reject"}, optional
+        Instead of the protocol's own policy for queries without a true match.
 
     Raises
     ------
@@ -76,11 +103,16 @@ def load_case(dataset: str, protocol: str | None = None, edition: str = "auto", 
     asked = Request.parse(dataset, protocol, edition)
     card = find_card(asked.dataset)
     chosen = card.protocol(asked.pairing)
-    wanted = radius if radius is not None else asked.radius
-    if wanted is not None:
-        chosen = chosen.with_radius(wanted)
+    radius = radius if radius is not None else asked.radius
+    unmatched = unmatched or asked.unmatched
     name, folder = resolve_edition(card, asked.edition)
-    return load_from(card, replace(chosen, edition=name), folder)
+    chosen = replace(
+        chosen,
+        edition=name,
+        radius=chosen.radius if radius is None else radius,
+        unmatched=unmatched or chosen.unmatched,
+    )
+    return load_from(card, chosen, folder)
 
 
 @dataclass(frozen=True)
@@ -90,7 +122,8 @@ class Request:
     dataset: str
     pairing: str | None
     edition: str
-    radius: float | None
+    radius: float | None = None
+    unmatched: Unmatched | None = None
 
     @classmethod
     def parse(cls, text: str, pairing: str | None = None, edition: str = "auto") -> "Request":
@@ -103,11 +136,11 @@ class Request:
         """
         source, slash, rest = text.partition("/")
         dataset, colon, named = source.partition(":")
-        radius = None
+        radius, unmatched = None, None
         if "@" in rest:
             whole = Protocol.parse(text)
-            rest, radius = whole.pairing, whole.radius
-            named, colon = (whole.edition, ":")
+            rest, radius, unmatched = whole.pairing, whole.radius, whole.unmatched
+            named, colon = whole.edition, ":"
         if colon:
             if edition not in ("auto", named):
                 raise UsageError(f"{text!r} names the edition {named!r}, but --edition says {edition!r}.")
@@ -116,7 +149,7 @@ class Request:
             if pairing not in (None, rest):
                 raise UsageError(f"{text!r} names the protocol {rest!r}, but --protocol says {pairing!r}.")
             pairing = rest
-        return cls(dataset, pairing, edition, radius)
+        return cls(dataset, pairing, edition, radius, unmatched)
 
 
 def load_from(card: Card, protocol: Protocol, folder: Path) -> Case:
@@ -131,9 +164,10 @@ def load_from(card: Card, protocol: Protocol, folder: Path) -> Case:
     """
     references, reference_labels, reference_digest = load_traverse(card, protocol.references, protocol.edition, folder)
     queries, query_labels, query_digest = load_traverse(card, protocol.queries, protocol.edition, folder)
-    _check_radius(protocol, reference_labels)
     digest = case_digest([reference_digest, query_digest], [reference_labels, query_labels])
-    return Case(protocol, references, queries, reference_labels, query_labels, digest)
+    case = Case(protocol, references, queries, reference_labels, query_labels, digest, folder)
+    case.check_radius(protocol.radius)
+    return case
 
 
 def load_traverse(card: Card, name: str, edition: str, folder: Path) -> tuple[Traverse, NDArray[np.float64], str]:
@@ -159,12 +193,3 @@ def load_traverse(card: Card, name: str, edition: str, folder: Path) -> tuple[Tr
 
 def _short(digest: str | None) -> str:
     return f"{digest:.15}…" if digest else "none"
-
-
-def _check_radius(protocol: Protocol, labels: NDArray[np.float64]) -> None:
-    extent = float(np.ptp(labels, axis=0).max()) if len(labels) > 1 else float("inf")
-    if protocol.radius >= extent:
-        raise UsageError(
-            f"The radius {protocol.radius:g}{protocol.unit} reaches over the whole map "
-            f"({extent:g}{protocol.unit} from end to end): every answer would be right. Give a smaller one."
-        )

@@ -6,11 +6,11 @@ Importing this package is cheap: what speaks HTTP is imported when a download st
 """
 
 from vpr_bench.download.archive import extract_archive
-from vpr_bench.download.digest import check_digest, parse_digest, sha256_of_file
-from vpr_bench.download.disk import DiskError
 from vpr_bench.download.fetch import fetch_archive, fetch_file
 from vpr_bench.download.http import download
 from vpr_bench.download.members import Limits
+from vpr_bench.files.digest import check_digest, parse_digest, sha256_of_file
+from vpr_bench.files.disk import DiskError
 
 __all__ = [
     "DiskError",

@@ -4,10 +4,10 @@ import shutil
 from collections.abc import Callable
 from pathlib import Path, PurePosixPath
 
-from vpr_bench.download.disk import disk_errors, require_space
 from vpr_bench.download.formats import open_archive
 from vpr_bench.download.members import Limits, Member, plan
 from vpr_bench.errors import DataError
+from vpr_bench.files.disk import disk_errors, require_space
 from vpr_bench.progress import Advance, task
 
 _CHUNK = 1024 * 1024  # bytes

@@ -5,11 +5,11 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from vpr_bench.download.archive import extract_archive
-from vpr_bench.download.digest import check_digest, parse_digest, sha256_of_file
-from vpr_bench.download.disk import DiskError, disk_errors
 from vpr_bench.download.http import download
 from vpr_bench.download.members import Limits
 from vpr_bench.errors import DataError
+from vpr_bench.files.digest import check_digest, parse_digest, sha256_of_file
+from vpr_bench.files.disk import DiskError, disk_errors
 from vpr_bench.progress import task
 
 
@@ -130,7 +130,9 @@ def _alone(target: Path) -> Iterator[None]:
 
     with disk_errors(target):
         target.parent.mkdir(parents=True, exist_ok=True)
-        lock = FileLock(target.with_name(f".{target.name}.lock"))
+        lock_file = target.with_name(f".{target.name}.lock")
+        lock_file.touch()  # where no file can be made, FileLock may wait for ever
+        lock = FileLock(lock_file)
         try:
             lock.acquire(timeout=0)
         except Timeout:

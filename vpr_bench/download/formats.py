@@ -14,9 +14,9 @@ from functools import partial
 from pathlib import Path
 from typing import IO, cast
 
-from vpr_bench.download.disk import disk_errors
 from vpr_bench.download.members import Member
 from vpr_bench.errors import DataError
+from vpr_bench.files.disk import disk_errors
 
 _DAMAGE = (
     EOFError,

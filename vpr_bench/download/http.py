@@ -4,11 +4,11 @@ import time
 from pathlib import Path
 
 from vpr_bench.download.address import readable_url
-from vpr_bench.download.digest import check_digest, parse_digest
-from vpr_bench.download.disk import DiskError, disk_errors
 from vpr_bench.download.partial import Partial
 from vpr_bench.download.transfer import BY_HAND, MAX_REDIRECTS, BrokenOffError, transfer
 from vpr_bench.errors import DataError
+from vpr_bench.files.digest import check_digest, parse_digest
+from vpr_bench.files.disk import disk_errors
 
 _PROGRESS = 1024 * 1024  # bytes that a try must bring so as not to count as one of the attempts
 
@@ -73,8 +73,6 @@ def download(
                     name=f"The file from {shown}",
                     advice="It was deleted. Try again; if it stays so, the file was changed at its source.",
                 )
-            except DiskError:
-                raise
             except DataError:
                 part.discard()
                 raise
@@ -82,9 +80,7 @@ def download(
     return target
 
 
-def _persist(
-    url: str, part: Partial, max_bytes: int | None, attempts: int, pause_s: float, timeout_s: float
-) -> None:
+def _persist(url: str, part: Partial, max_bytes: int | None, attempts: int, pause_s: float, timeout_s: float) -> None:
     """Try until the part is complete, or give up."""
     import requests
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 from typing import IO
 
-from vpr_bench.download.disk import readable_size
 from vpr_bench.errors import DataError
+from vpr_bench.files.disk import readable_size
 
 _ADVICE = "Nothing was unpacked. Get the archive from its publisher, or unpack it by hand if you trust it."
 _LONGEST_NAME = 4096  # characters

@@ -3,9 +3,9 @@
 from typing import TYPE_CHECKING
 
 from vpr_bench.download.address import readable_url
-from vpr_bench.download.disk import readable_size, require_space
 from vpr_bench.download.partial import Partial, parse_content_range
 from vpr_bench.errors import DataError
+from vpr_bench.files.disk import readable_size, require_space
 from vpr_bench.progress import task
 
 if TYPE_CHECKING:
@@ -34,9 +34,7 @@ class BrokenOffError(Exception):
         self.connected = connected
 
 
-def transfer(
-    session: "requests.Session", url: str, part: Partial, max_bytes: int | None, timeout_s: float
-) -> None:
+def transfer(session: "requests.Session", url: str, part: Partial, max_bytes: int | None, timeout_s: float) -> None:
     """Make one request and append what it brings to the part, which is complete on return.
 
     Raises
@@ -57,8 +55,8 @@ def transfer(
             _receive(response, readable_url(url), part, max_bytes)
     except requests.exceptions.SSLError:
         raise DataError(
-            f"Cannot download {readable_url(url)}: the server's certificate could not be verified. "
-            "Check the machine's clock and its certificates."
+            f"Cannot download {readable_url(url)}: no secure connection could be made. "
+            "Check the address, and the machine's clock and certificates."
         ) from None
     except requests.TooManyRedirects:
         raise DataError(

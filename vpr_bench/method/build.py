@@ -79,9 +79,7 @@ def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: i
         raise UsageError(f"The method {name!r} refuses its parameters: {error}") from error
     values = {key: getattr(method, key, typed.get(key)) for key in known}
     weights = method.weights_digest() if isinstance(method, Weighted) else None
-    changed = [
-        f"{key}={value}" for key, value in values.items() if key != "seed" and value != known[key].default
-    ]
+    changed = [f"{key}={value}" for key, value in values.items() if key != "seed" and value != known[key].default]
     label = f"{entry.name}({', '.join(changed)})" if changed else entry.name
     return BuiltMethod(entry.name, _version(entry, factory), values, weights, label, method)
 

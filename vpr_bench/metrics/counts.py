@@ -30,9 +30,7 @@ class Counts:
     false_positives: NDArray[np.float64]
 
     @classmethod
-    def sweep(
-        cls, correct: NDArray[np.bool_], score: NDArray[np.float64], weight: NDArray[np.float64]
-    ) -> "Counts":
+    def sweep(cls, correct: NDArray[np.bool_], score: NDArray[np.float64], weight: NDArray[np.float64]) -> "Counts":
         """Count at every distinct score.
 
         Parameters
@@ -56,9 +54,7 @@ class Counts:
         return ratio(self.true_positives, given, undefined=1.0)
 
 
-def ratio(
-    part: NDArray[np.float64], whole: NDArray[np.float64], undefined: float = np.nan
-) -> NDArray[np.float64]:
+def ratio(part: NDArray[np.float64], whole: NDArray[np.float64], undefined: float = np.nan) -> NDArray[np.float64]:
     """Divide element by element, without a warning; ``undefined`` where the whole is 0.
 
     Examples

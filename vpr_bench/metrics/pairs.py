@@ -112,9 +112,7 @@ def pr_auc_pairs_of_matches(
     return pr_auc_pairs(in_order_of_references, ground_truth, unmatched)
 
 
-def _read(
-    scores: Scores, ground_truth: GroundTruth, rows: slice
-) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
+def _read(scores: Scores, ground_truth: GroundTruth, rows: slice) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
     """Return the (rows, n_references) scores of a block and the flat positions of its true pairs."""
     block = np.asarray(scores(rows), dtype=np.float32)
     shape = (rows.stop - rows.start, ground_truth.n_references)

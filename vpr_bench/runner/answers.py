@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_bench.runner.files import read_arrays, write_arrays
+from vpr_bench.files.atomic import read_arrays, write_arrays
 from vpr_bench.types.match import Match
 
 _FIRST_STAGES = ("decode", "encode", "match", "rerank")

@@ -14,11 +14,13 @@ import numpy as np
 
 from vpr_bench.dataset.load import Case
 from vpr_bench.errors import DataError, UsageError, VprBenchError
+from vpr_bench.files.atomic import write_arrays, write_bytes
+from vpr_bench.files.digest import sha256_of_file
+from vpr_bench.files.disk import disk_errors
 from vpr_bench.method.build import BuiltMethod
 from vpr_bench.method.interfaces import Method, Persistent
 from vpr_bench.progress import track
 from vpr_bench.runner.answers import AnswerTable
-from vpr_bench.runner.files import digest_of, write_arrays, write_bytes
 from vpr_bench.runner.machine import available_cores, describe_machine
 from vpr_bench.runner.record import RunKey, RunRecord
 from vpr_bench.runner.resources import PeakMemory, limit_threads
@@ -30,6 +32,7 @@ T = TypeVar("T")
 
 Overwrite = Literal["only-missing", "always", "never"]
 
+_DEFAULT_K = 20
 _WARM_UP = 3  # answers that are not recorded, before the first that is
 _CHECKPOINT_SECONDS = 10.0
 _FIT, _FITTED, _ANSWERS = "fit", "fit.json", "answers.npz"
@@ -43,8 +46,8 @@ class RunOptions:
     ----------
     seed : int
         Of the order in which queries are asked.
-    k : int
-        Answers kept per query; at most the size of the map.
+    k : int, optional
+        Answers kept per query, at most the size of the map; by default 20, or the whole map if it is smaller.
     limit : int, optional
         Ask only so many queries, the first in the seeded order: a quick look, marked partial.
     threads : int, optional
@@ -55,7 +58,7 @@ class RunOptions:
     """
 
     seed: int = 0
-    k: int = 20
+    k: int | None = None
     limit: int | None = None
     threads: int | None = None
     overwrite: Overwrite = "only-missing"
@@ -69,10 +72,10 @@ def run_key(case: Case, built: BuiltMethod, options: RunOptions) -> RunKey:
     UsageError
         If ``k`` or the limit is out of range.
     """
-    if not 1 <= options.k <= len(case.references):
-        raise UsageError(
-            f"k must lie between 1 and {len(case.references)}, the number of references. Got {options.k} instead."
-        )
+    size = len(case.references)
+    k = min(_DEFAULT_K, size) if options.k is None else options.k
+    if not 1 <= k <= size:
+        raise UsageError(f"k must lie between 1 and {size}, the number of references. Got {k} instead.")
     if options.limit is not None and options.limit < 1:
         raise UsageError(f"The limit must be at least 1. Got {options.limit} instead.")
     limit = options.limit if options.limit is not None and options.limit < len(case.queries) else None
@@ -85,7 +88,7 @@ def run_key(case: Case, built: BuiltMethod, options: RunOptions) -> RunKey:
         parameters=built.parameters,
         weights=built.weights,
         seed=options.seed,
-        k=options.k,
+        k=k,
         limit=limit,
         threads=options.threads or available_cores(),
     )
@@ -120,12 +123,10 @@ def run(case: Case, built: BuiltMethod, store: RunStore, options: RunOptions | N
                 return stored
         if options.overwrite == "always":
             shutil.rmtree(work, ignore_errors=True)
-        try:
+        with disk_errors(work):
             with limit_threads(key.threads):
                 _work(case, built, key, work)
             return store.complete(key)
-        except OSError as error:
-            raise DataError(f"The run cannot be written to {work}: {error.strerror or error}.") from None
 
 
 def _stored(store: RunStore, key: RunKey, overwrite: Overwrite) -> StoredRun | None:
@@ -163,7 +164,7 @@ def _work(case: Case, built: BuiltMethod, key: RunKey, work: Path) -> None:
         peak_memory={"fit": fit_peak, "match": memory.bytes},
         machine=describe_machine(key.threads),
         created=datetime.now(UTC).isoformat(timespec="seconds"),
-        files={name: digest_of(work / name) for name in (MATCHES, TIMINGS, LABELS)},
+        files={name: sha256_of_file(work / name) for name in (MATCHES, TIMINGS, LABELS)},
     )
     write_bytes(work / RECORD, record.model_dump_json(indent=2).encode())
     (work / _ANSWERS).unlink(missing_ok=True)

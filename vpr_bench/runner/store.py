@@ -13,8 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vpr_bench.errors import DataError
+from vpr_bench.files.atomic import read_arrays
+from vpr_bench.files.digest import sha256_of_file
+from vpr_bench.files.disk import disk_errors
 from vpr_bench.progress import task
-from vpr_bench.runner.files import digest_of, read_arrays
 from vpr_bench.runner.record import RunKey, RunRecord, read_record
 from vpr_bench.types.ground_truth import GroundTruth
 from vpr_bench.types.protocol import Protocol
@@ -52,7 +54,7 @@ class StoredRun:
         """
         record = read_record(folder / RECORD)
         for name, digest in record.files.items():
-            if digest_of(folder / name) != digest:
+            if sha256_of_file(folder / name) != digest:
                 raise DataError(
                     f"{folder / name} is damaged: it is not what run.json recorded. "
                     "Run the same command again to redo it."
@@ -141,17 +143,16 @@ class RunStore:
         from filelock import FileLock, Timeout
 
         folder = self.folder(key)
-        try:
+        with disk_errors(folder.parent):
             folder.parent.mkdir(parents=True, exist_ok=True)
-            lock = FileLock(folder.with_name(folder.name + ".lock"))
+            note = folder.with_name(folder.name + ".lock")
+            note.touch()  # what cannot be made is an error now; a lock would wait for it for ever
+            lock = FileLock(note)
             try:
                 lock.acquire(timeout=0)
             except Timeout:
                 with task("Waiting for another process that does the same run"):
                     lock.acquire()
-        except OSError as error:
-            reason = error.strerror or error
-            raise DataError(f"Runs cannot be written to {folder.parent}: {reason}. Choose another --output.") from None
         try:
             self._recover(folder)
             yield folder.with_name(folder.name + ".partial")

@@ -52,9 +52,7 @@ class GroundTruth:
             raise ValueError("the references of one query must be ascending and unique")
 
     @classmethod
-    def from_radius(
-        cls, query_labels: ArrayLike, reference_labels: ArrayLike, radius: float
-    ) -> "GroundTruth":
+    def from_radius(cls, query_labels: ArrayLike, reference_labels: ArrayLike, radius: float) -> "GroundTruth":
         """Call a query and a reference the same place if their labels are at most ``radius`` apart.
 
         Parameters
@@ -76,9 +74,7 @@ class GroundTruth:
             raise UsageError(f"The radius must be a number of at least 0. Got {radius!r} instead.")
         queries, references = _as_columns(query_labels), _as_columns(reference_labels)
         if queries.shape[1] != references.shape[1]:
-            raise ValueError(
-                f"query labels have {queries.shape[1]} columns, reference labels {references.shape[1]}"
-            )
+            raise ValueError(f"query labels have {queries.shape[1]} columns, reference labels {references.shape[1]}")
         if queries.shape[1] == 1:
             return cls._from_scalars(queries[:, 0], references[:, 0], radius)
         return cls._from_positions(queries, references, radius)
@@ -106,25 +102,19 @@ class GroundTruth:
 
         found = cKDTree(references).query_ball_point(queries, radius * (1 + 1e-9) + 1e-12)
         rows = np.repeat(np.arange(len(queries)), [len(row) for row in found])
-        columns = np.concatenate(
-            [np.asarray(row, dtype=np.int64) for row in found] or [np.empty(0, np.int64)]
-        )
+        columns = np.concatenate([np.asarray(row, dtype=np.int64) for row in found] or [np.empty(0, np.int64)])
         near = np.sqrt(((queries[rows] - references[columns]) ** 2).sum(axis=1)) <= radius
         return cls.from_pairs(rows[near], columns[near], len(queries), len(references))
 
     @classmethod
-    def from_pairs(
-        cls, queries: ArrayLike, references: ArrayLike, n_queries: int, n_references: int
-    ) -> "GroundTruth":
+    def from_pairs(cls, queries: ArrayLike, references: ArrayLike, n_queries: int, n_references: int) -> "GroundTruth":
         """Build from (query, reference) index pairs in any order; repeated pairs count once."""
         rows = np.asarray(queries, dtype=np.int64)
         columns = np.asarray(references, dtype=np.int64)
         if rows.shape != columns.shape:
             raise ValueError(f"a pair needs a query and a reference. Got {rows.shape} and {columns.shape}.")
         if len(rows) and (rows.min() < 0 or rows.max() >= n_queries):
-            raise ValueError(
-                f"query indices must lie in [0, {n_queries}); found {rows.min()} to {rows.max()}"
-            )
+            raise ValueError(f"query indices must lie in [0, {n_queries}); found {rows.min()} to {rows.max()}")
         if len(columns) and (columns.min() < 0 or columns.max() >= n_references):
             raise ValueError(
                 f"reference indices must lie in [0, {n_references}); found {columns.min()} to {columns.max()}"

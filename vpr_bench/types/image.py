@@ -64,9 +64,7 @@ def decode_image(source: Path | bytes, name: str | None = None) -> NDArray[np.ui
     except UnidentifiedImageError:
         raise DataError(f"{called} is not an image (known formats: {', '.join(FORMATS)}).") from None
     except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
-        raise DataError(
-            f"{called} cannot be decoded: {error}. Restore it, or fetch the dataset again."
-        ) from None
+        raise DataError(f"{called} cannot be decoded: {error}. Restore it, or fetch the dataset again.") from None
 
 
 def _read(path: Path) -> bytes:

@@ -74,8 +74,7 @@ class Protocol:
         object.__setattr__(self, "radius", float(self.radius))
         if self.unmatched not in get_args(Unmatched):
             raise UsageError(
-                f"The unmatched policy must be one of {', '.join(get_args(Unmatched))}. "
-                f"Got {self.unmatched!r} instead."
+                f"The unmatched policy must be one of {', '.join(get_args(Unmatched))}. Got {self.unmatched!r} instead."
             )
         if self.unit == "pair" and self.radius != 0:
             raise UsageError(f"Pair labels have no radius: it must be 0. Got {self.radius:g} instead.")

@@ -24,9 +24,7 @@ class LinearHead:
         return self.weight @ descriptor + self.bias
 
 
-def train_head(
-    descriptors: NDArray[np.float32], labels: NDArray[np.int64], classes: int, penalty: float
-) -> LinearHead:
+def train_head(descriptors: NDArray[np.float32], labels: NDArray[np.int64], classes: int, penalty: float) -> LinearHead:
     """Fit multinomial logistic regression, the convex problem that training a last layer is.
 
     Parameters

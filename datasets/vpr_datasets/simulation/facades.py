@@ -54,7 +54,7 @@ def draw_style(dice: Dice) -> Style:
         dice.pick(("punched", "ribbon", "curtain", "fins", "balcony", "punched", "tall")),
         dice.pick((1.8, 2.4, 3.0, 3.6, 4.5)),
         dice.between(0.45, 0.8),
-        2 + dice.below(5),
+        dice.pick((1, 2, 2, 3, 3, 4, 5, 7)),
     )
 
 

@@ -9,8 +9,8 @@ from vpr_datasets.simulation.scene import Scene, build_scene
 from vpr_datasets.simulation.sensor import develop, illuminate
 from vpr_datasets.simulation.sky import RISE
 from vpr_datasets.simulation.spec import SimulationSpec
-from vpr_datasets.simulation.stage import Stage, Walls
-from vpr_datasets.simulation.view import view_at
+from vpr_datasets.simulation.stage import Slab, Stage, Walls
+from vpr_datasets.simulation.view import View, view_at
 
 REACH = 110.0
 """How far walls are drawn, in metres."""
@@ -46,13 +46,25 @@ def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint
         scene.jitter,
     )
     draw_sky(buffers, view, scene.sky, RISE)
-    draw_slab(buffers, view, scene.ground, REACH)
-    draw_walls(buffers, view, scene.walls, REACH)
     draw_walls(buffers, view, _passers(scene, spec, index), REACH)
-    for slab in scene.slabs:
+    draw_walls(buffers, view, scene.walls, REACH)
+    draw_slab(buffers, view, scene.ground, REACH)
+    for slab in _slabs_near(scene, view):
         draw_slab(buffers, view, slab, SLAB_REACH)
     light = illuminate(buffers, view, scene.grid, traverse.light)
     return develop(light, traverse, Dice(spec.seed, traverse.seed, traverse.name, "sensor", index))
+
+
+def _slabs_near(scene: Scene, view: View) -> list[Slab]:
+    """Return the level pieces ahead that are large enough to be seen."""
+    near = []
+    for slab in scene.slabs:
+        x, y = slab.corner[0] - view.x, slab.corner[1] - view.y
+        deep = x * view.forward[0] + y * view.forward[1]
+        size = slab.length + slab.width
+        if -size < deep < min(SLAB_REACH, 14.0 * size):
+            near.append(slab)
+    return near
 
 
 def _passers(scene: Scene, spec: SimulationSpec, index: int) -> Walls:

@@ -35,7 +35,7 @@ def _grow(seed: int, season: Season) -> Greenery:
 def plain(colour: Colour, dice: Dice, size: float = 1.0) -> Texture:
     """Return a small speckled texture of one colour."""
     canvas = Canvas(size, size, 24.0, colour)
-    canvas.speckle(dice, 24)
+    canvas.speckle(dice, 12)
     return canvas.bake()
 
 
@@ -77,11 +77,11 @@ def _line_side(
     while s < length + 50:
         if not deck:
             deck = dice.shuffled(
-                ("building", "building", "building", "building", "building", "garden", "plaza", "fence", "grove")
+                ("building", "building", "building", "building", "garden", "plaza", "fence", "grove", "fence")
             )
         kind = deck.pop()
         if kind == "building":
-            extent = dice.between(8, 22)
+            extent = dice.between(6, 15)
             _put_building(stage, dice, side, s, extent)
         elif kind == "garden":
             extent = dice.between(7, 13)
@@ -112,7 +112,7 @@ def _end(stage: Stage, s: float, t: float, width: float, low: float, high: float
 
 def _put_building(stage: Stage, dice: Dice, side: int, s: float, extent: float) -> None:
     style = draw_style(dice)
-    t = dice.between(3.6, 7.5)
+    t = dice.between(3.4, 5.5) if dice.chance(0.6) else dice.between(6, 12)
     high = style.storeys * STOREY + 0.9
     depth = dice.between(9, 15)
     lit_side = 256 if side > 0 else 214

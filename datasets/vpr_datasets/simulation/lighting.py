@@ -11,6 +11,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_datasets.simulation.noise import box_sum
 from vpr_datasets.simulation.path import GRID, Course, Point
 from vpr_datasets.simulation.spec import Light
 from vpr_datasets.simulation.stage import Lamp, Shade
@@ -28,8 +29,8 @@ MARGIN = 36.0
 SUN: Point = (0.55, -0.75)
 """Metres by which a shadow shifts for every metre of height."""
 
-AMBIENT = {"day": 126, "dusk": 112, "night": 20}
-COVERED = {"day": 84, "dusk": 70, "night": 12}
+AMBIENT = {"day": 126, "dusk": 112, "night": 13}
+COVERED = {"day": 84, "dusk": 70, "night": 8}
 """Light where no sun and no lamp reaches: in the open, and below a roof."""
 
 SUNLIT = 228
@@ -54,6 +55,9 @@ def light_grid(light: Light, course: Course, shades: list[Shade], lamps: list[La
     if light == "day":
         _cast_shadows(cells, (x, y), [shade for shade in shades if not shade.roof])
     _cover(cells, (x, y), [shade for shade in shades if shade.roof], light)
+    for layer in range(LAYERS):
+        # The sun is not a point, nor are lamps: shadows have soft edges.
+        cells[layer] = box_sum(cells[layer], 1) // 9
     if light != "day":
         np.maximum(cells, _pools(cells.shape, (x, y), lamps), out=cells)
     return Grid(x, y, cells)

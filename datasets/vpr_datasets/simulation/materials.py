@@ -7,7 +7,7 @@ import numpy as np
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.texture import Canvas, Colour
 
-BRICK: tuple[Colour, ...] = ((168, 92, 66), (150, 78, 60), (190, 128, 88), (128, 82, 70), (196, 150, 116))
+BRICK: tuple[Colour, ...] = ((158, 92, 70), (142, 82, 66), (176, 128, 96), (122, 84, 74), (190, 156, 128))
 PLASTER: tuple[Colour, ...] = (
     (214, 206, 188), (226, 214, 176), (188, 196, 200), (206, 176, 150), (160, 180, 172), (222, 222, 216),
 )  # fmt: skip
@@ -34,7 +34,7 @@ def blocks(canvas: Canvas, dice: Dice, course: float, length: float, amount: int
 
 def brick(canvas: Canvas, dice: Dice) -> None:
     """Lay bricks, about three courses to the foot-high block when seen from afar."""
-    blocks(canvas, dice, 0.12, 0.36, 26, 22)
+    blocks(canvas, dice, 0.12, 0.36, 15, -12)
     canvas.speckle(dice, 14, 1.5)
 
 

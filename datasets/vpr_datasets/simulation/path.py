@@ -17,7 +17,7 @@ Point = tuple[float, float]
 GRID = 0.25
 """Spacing of the table of the path's course along x, in metres."""
 
-KNOT = 22.0
+KNOT = 17.0
 """Distance between the points at which the slope of the path is drawn, in metres."""
 
 
@@ -68,7 +68,7 @@ def lay_course(seed: int, length: float, curvature: float, *, before: float, bey
         # Leaning back towards the middle keeps the ground that must be painted small.
         pull = -height * 0.02
         sign = 1.0 if number % 2 else -1.0
-        slope = curvature * (sign * dice.between(0.0, 0.9) + dice.between(-0.4, 0.4)) + pull
+        slope = curvature * (sign * dice.between(0.1, 1.2) + dice.between(-0.4, 0.4)) + pull
         slope = min(max(slope, -curvature), curvature)
         knots.append(slope)
         height += slope * KNOT

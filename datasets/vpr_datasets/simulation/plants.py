@@ -48,8 +48,8 @@ def tree(dice: Dice, season: Season) -> Canvas:
     for _ in range(9 if season != "winter" else 40):
         canvas.line(3.0, dice.between(1.8, bottom + 0.8), dice.between(0.8, 5.2), dice.between(4.0, 7.4), 0.07, bark)
     if season != "winter":
-        _crown(canvas, dice, leaf, (0.9, bottom, 4.2, 7.3 - bottom), 70, 0.7)
-        _roughen(canvas, dice, 0.45, 158)
+        _crown(canvas, dice, leaf, (0.7, bottom, 4.6, 7.5 - bottom), 150, 0.46)
+        _roughen(canvas, dice, 0.36, 150)
         canvas.speckle(dice, 60, 0.16)
     lean = dice.between(-0.3, 0.3)
     foot = dice.between(0.16, 0.3)

@@ -43,6 +43,20 @@ class Buffers:
     jitter: Floats
 
 
+def jitter_pattern(height: int, width: int) -> Floats:
+    """Return the offsets for :class:`Buffers`: neighbouring pixels get values that are far apart.
+
+    Roberts' R2 sequence, laid out in the plane: any small window holds evenly spread values, so that a
+    slight blur averages them out, which it would not do with random ones.
+    """
+    rows, columns = np.arange(height)[:, None] + 0.5, np.arange(width) + 0.5
+    pattern = np.stack(
+        [0.7548776662466927 * columns + 0.5698402909980532 * rows,
+         0.5698402909980532 * columns - 0.7548776662466927 * rows]
+    )  # fmt: skip
+    return np.asarray(pattern - np.floor(pattern) - 0.5, dtype=np.float64)
+
+
 def _levels(density: Floats) -> NDArray[np.int64]:
     """Return which level of a texture to use where there are ``density`` texels of it to a pixel."""
     level = np.zeros(density.shape, dtype=np.int64)
@@ -68,7 +82,13 @@ def draw_walls(buffers: Buffers, view: View, walls: Walls, reach: float) -> None
     seen &= ~((across0 < -edge * deep0) & (across1 < -edge * deep1))
     # The front is seen where the camera lies on the right-hand side of the way from left to right.
     seen &= ~(walls.one_sided & (across0 * deep1 >= across1 * deep0))
-    for number in np.flatnonzero(seen):
+    # What would be lower or narrower than a pixel or so is left out.
+    near = np.maximum(nearest, NEAR)
+    seen &= (walls.high - walls.low) * view.focal > 1.5 * near
+    seen &= (np.abs(across1 - across0) + np.abs(deep1 - deep0)) * view.focal > 1.5 * near
+    visible = np.flatnonzero(seen)
+    # From near to far: what is hidden is found out before any of its texels is looked up.
+    for number in visible[np.argsort(nearest[visible], kind="stable")]:
         _draw_wall(
             buffers,
             view,
@@ -116,6 +136,14 @@ def _draw_wall(
     stop = min(ceil(float(bottom.max()) - 0.5), view.height)
     if stop <= start:
         return
+    free = depth < buffers.depth[start:stop, columns]
+    open_columns = free.any(axis=0)
+    if not open_columns.any():
+        return
+    skip, keep = int(open_columns.argmax()), len(share) - int(open_columns[::-1].argmax())
+    if skip or keep < len(share):
+        share, depth, top, bottom = share[skip:keep], depth[skip:keep], top[skip:keep], bottom[skip:keep]
+        free, columns = free[:, skip:keep], slice(first + skip, first + keep)
     down = texture.heights[0] / np.maximum(bottom - top, 1e-6)
     step = np.empty_like(share)
     step[1:] = np.abs(share[1:] - share[:-1])
@@ -126,7 +154,7 @@ def _draw_wall(
     window = slice(start, stop), columns
     across_texels, down_scale = share * widths, heights / np.maximum(bottom - top, 1e-6)
     v = (rows - top) * down_scale
-    mask = (v >= 0) & (v < heights) & (depth < buffers.depth[window])
+    mask = (v >= 0) & (v < heights) & free
     if float(down.min()) < 0.7:
         v += buffers.jitter[1][window]
         np.maximum(v, 0.0, out=v)

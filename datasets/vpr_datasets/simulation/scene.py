@@ -3,8 +3,6 @@
 from dataclasses import dataclass
 from functools import lru_cache
 
-import numpy as np
-
 from vpr_datasets.simulation import props
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.facades import ACCENTS
@@ -12,7 +10,7 @@ from vpr_datasets.simulation.ground import paint_ground
 from vpr_datasets.simulation.layout import lay_out, plain
 from vpr_datasets.simulation.lighting import Grid, light_grid
 from vpr_datasets.simulation.path import Course, lay_course
-from vpr_datasets.simulation.raster import Floats
+from vpr_datasets.simulation.raster import Floats, jitter_pattern
 from vpr_datasets.simulation.sky import paint_sky
 from vpr_datasets.simulation.spec import SimulationSpec, TraverseSpec
 from vpr_datasets.simulation.stage import Slab, Stage, Walls
@@ -69,7 +67,6 @@ def build_scene(spec: SimulationSpec, name: str) -> Scene:
     dice = Dice(spec.seed, traverse.seed, traverse.name, "traffic")
     parked = Stage(stage.course)
     _park(parked, dice, traverse, length)
-    jitter = Dice(spec.seed, "jitter").bytes(2, spec.height, spec.width).astype(np.float64) / 256.0 - 0.5
     return Scene(
         stage.course,
         Walls.of(stage.walls + parked.walls),
@@ -78,7 +75,7 @@ def build_scene(spec: SimulationSpec, name: str) -> Scene:
         paint_sky(spec.seed, traverse.seed, traverse.light),
         light_grid(traverse.light, stage.course, stage.shades, stage.lamps),
         _movers(dice, traverse, spec.frames),
-        jitter,
+        jitter_pattern(spec.height, spec.width),
     )
 
 
@@ -110,7 +107,7 @@ def _movers(dice: Dice, traverse: TraverseSpec, frames: int) -> list[Mover]:
     """Send people and cyclists along the path, towards the camera or ahead of it."""
     people = [props.person(dice).bake() for _ in range(8)]
     movers = []
-    for start in range(0, frames + 30, 5):
+    for start in range(0, frames + 30, 6):
         if dice.chance(traverse.traffic):
             pace = dice.between(-1.3, -0.8) if dice.chance(0.6) else dice.between(0.5, 0.85)
             # Nobody walks into the camera.

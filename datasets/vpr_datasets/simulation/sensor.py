@@ -45,9 +45,9 @@ class Exposure:
 
 
 EXPOSURES: dict[Light, Exposure] = {
-    "day": Exposure(112, 200, 420, 250, 0, 5, 256),
+    "day": Exposure(108, 200, 420, 250, 0, 3, 256),
     "dusk": Exposure(100, 256, 620, 190, 190, 9, 200),
-    "night": Exposure(118, 300, 1100, 110, 256, 17, 0),
+    "night": Exposure(126, 300, 1400, 90, 256, 10, 0),
 }
 
 
@@ -105,8 +105,8 @@ def develop(light: NDArray[np.uint16], traverse: TraverseSpec, dice: Dice) -> ND
         light = grey.astype(np.uint16)[..., None]
     mean = int(light[::4, ::4].astype(np.int64).sum()) * 16 // (light.size or 1) >> 8
     gain = min(max(exposure.target * 256 // max(mean, 1), exposure.least), exposure.most)
-    linear = light * np.float64(gain / 65536.0)
-    picture = np.minimum(linear, 255.0).astype(np.uint8)
+    picture = np.minimum(light * np.float64(gain / 65536.0), 255.0).astype(np.uint8)
+    picture = _CURVE[picture]
     if exposure.glow:
         picture = _bloom(picture)
     picture = soften(picture)
@@ -118,6 +118,16 @@ def develop(light: NDArray[np.uint16], traverse: TraverseSpec, dice: Dice) -> ND
     if exposure.colour == 0:
         return np.repeat(picture, 3, axis=2)
     return picture
+
+
+def _curve() -> NDArray[np.uint8]:
+    """Return the (256,) tone curve that cameras apply: more contrast in the middle, soft shoulders."""
+    x = np.arange(256, dtype=np.int64)
+    smooth = x * x * (765 - 2 * x) // (255 * 255)
+    return ((x + smooth * 2) // 3).astype(np.uint8)
+
+
+_CURVE = _curve()
 
 
 def _bloom(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:

@@ -195,5 +195,8 @@ class Canvas:
 
     def bake(self, shade: int = 256) -> Texture:
         """Turn the painting into a texture, its colours multiplied by ``shade / 256``."""
-        rgb = self.rgb if shade == 256 else (self.rgb.astype(np.uint32) * shade >> 8).astype(np.uint8)
-        return bake(rgb, self.ink)
+        rgb = self.rgb.astype(np.uint32)
+        # Paint in the open is never as pure as on the palette.
+        grey = (rgb[..., 0] * 77 + rgb[..., 1] * 150 + rgb[..., 2] * 29) >> 8
+        rgb = (rgb * 11 + grey[..., None] * 5) * shade >> 12
+        return bake(np.minimum(rgb, 255).astype(np.uint8), self.ink)

@@ -68,13 +68,13 @@ def view_at(spec: SimulationSpec, traverse: TraverseSpec, course: Course, index:
     shake = traverse.shake
     jitter = Dice(*key, "jitter", index)
     s = place_at(spec, traverse, index)
-    t = traverse.lateral + 0.25 * shake * _wander((*key, "sway"), index, 7)
+    t = traverse.lateral + 0.3 * shake * _wander((*key, "sway"), index, 7)
     x, y = course.point(s, t)
     ahead, side = course.tangent(s + 2.5)
-    yaw = shake * (0.05 * _wander((*key, "yaw"), index, 6) + jitter.between(-0.012, 0.012))
+    yaw = shake * (0.07 * _wander((*key, "yaw"), index, 6) + jitter.between(-0.012, 0.012))
     ahead, side = ahead - yaw * side, side + yaw * ahead
     norm = sqrt(ahead * ahead + side * side)
-    pitch = shake * (0.03 * _wander((*key, "pitch"), index, 8) + jitter.between(-0.01, 0.01))
+    pitch = shake * (0.045 * _wander((*key, "pitch"), index, 8) + jitter.between(-0.01, 0.01))
     roll = shake * (0.012 * _wander((*key, "roll"), index, 5) + jitter.between(-0.006, 0.006))
     focal = spec.focal_length * spec.width
     slope = (np.arange(spec.width) + 0.5 - spec.width / 2) / focal

@@ -23,10 +23,12 @@ class Page:
     ranges: bool = True
     if_range: bool = True
     """Whether a changed ETag is noticed when a range is asked for, as it should be."""
+    sized: bool = True
+    """Whether Content-Length is stated."""
     cut_after: list[int] = field(default_factory=list)
     """Bytes sent before the connection drops, for one answer after another."""
     statuses: list[int] = field(default_factory=list)
-    """Statuses answered instead of the file, one after another; the last stays."""
+    """Statuses answered instead of the file, one after another."""
     location: str | None = None
     hold_after: int | None = None
     """Bytes sent before the answer stalls until ``released`` is set."""
@@ -57,7 +59,7 @@ class Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     shared: Server
 
-    def log_message(self, format: str, *args: object) -> None:
+    def log_message(self, *args: object) -> None:
         """Stay silent."""
 
     def do_GET(self) -> None:
@@ -69,7 +71,7 @@ class Handler(BaseHTTPRequestHandler):
         if page.location is not None:
             self._answer(302, {"Location": page.location})
         elif page.statuses:
-            self._answer(page.statuses.pop(0) if len(page.statuses) > 1 else page.statuses[0])
+            self._answer(page.statuses.pop(0))
         else:
             self._send(page)
 
@@ -94,11 +96,10 @@ class Handler(BaseHTTPRequestHandler):
         self, status: int, headers: dict[str, str] | None = None, body: bytes = b"", page: Page | None = None
     ) -> None:
         self.send_response(status)
-        for name, value in {
-            "Connection": "close",
-            "Content-Length": str(len(body)),
-            **(headers or {}),
-        }.items():
+        self.send_header("Connection", "close")
+        if page is None or page.sized:
+            self.send_header("Content-Length", str(len(body)))
+        for name, value in (headers or {}).items():
             self.send_header(name, value)
         self.end_headers()
         if page is None:

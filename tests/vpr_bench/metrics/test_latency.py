@@ -9,9 +9,7 @@ def test_percentiles_in_milliseconds():
     encode = np.arange(101) / 1000
     values = latency({"encode": encode, "match": np.full(101, 0.002)})
     assert list(values) == [
-        f"latency_{stage}_p{percentile}"
-        for stage in ("encode", "match", "total")
-        for percentile in (50, 95, 99)
+        f"latency_{stage}_p{percentile}" for stage in ("encode", "match", "total") for percentile in (50, 95, 99)
     ]
     assert values["latency_encode_p95"] == pytest.approx(95)
     assert values["latency_match_p99"] == pytest.approx(2)

@@ -54,9 +54,7 @@ def test_ranked_matches_give_the_same(table):
     scores, truth = table
     order = np.argsort(-scores, axis=1, kind="stable")
     ranked = np.take_along_axis(scores, order, axis=1)
-    assert pr_auc_pairs_of_matches(order, ranked, sparse(truth), "miss") == pytest.approx(
-        brute_force(scores, truth)
-    )
+    assert pr_auc_pairs_of_matches(order, ranked, sparse(truth), "miss") == pytest.approx(brute_force(scores, truth))
 
 
 def test_continuous_scores_of_many_blocks(monkeypatch):
@@ -66,9 +64,7 @@ def test_continuous_scores_of_many_blocks(monkeypatch):
     scores[truth.query_of_pair, truth.references] += 2
     monkeypatch.setattr(module, "BLOCK_ELEMENTS", 5000)
     dense = truth.contains(np.arange(200)[:, None], np.arange(300))
-    assert pr_auc_pairs(lambda rows: scores[rows], truth) == pytest.approx(
-        brute_force(scores, dense), rel=1e-12
-    )
+    assert pr_auc_pairs(lambda rows: scores[rows], truth) == pytest.approx(brute_force(scores, dense), rel=1e-12)
 
 
 def test_perfect_and_worst():

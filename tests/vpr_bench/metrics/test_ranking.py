@@ -11,9 +11,7 @@ from vpr_bench.metrics.ranking import accuracy, recall_at_k, roc_auc
 
 
 def test_recall_at_k_by_hand(make):
-    answers = make(
-        [1, 0, 0, 0], [4, 3, 2, 1], has_match=[1, 1, 1, 0], rank=[0, 2, NEVER, NEVER], unmatched="reject"
-    )
+    answers = make([1, 0, 0, 0], [4, 3, 2, 1], has_match=[1, 1, 1, 0], rank=[0, 2, NEVER, NEVER], unmatched="reject")
     assert [recall_at_k(answers, k) for k in (1, 2, 3, 10)] == pytest.approx([1 / 3, 1 / 3, 2 / 3, 2 / 3])
     missed = dataclasses.replace(answers, unmatched="miss")
     assert recall_at_k(missed, 3) == 2 / 4

@@ -4,8 +4,8 @@ import hashlib
 import re
 from pathlib import Path
 
-from vpr_bench.download.disk import disk_errors
 from vpr_bench.errors import DataError, UsageError
+from vpr_bench.files.disk import disk_errors
 
 
 def sha256_of_file(path: Path) -> str:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from vpr_bench.errors import DataError
 
-_ELSEWHERE = "choose another data folder with the environment variable VPR_BENCH_DATA"
+_ELSEWHERE = "choose another folder (VPR_BENCH_DATA for images, --output for runs)"
 _FULL = {errno.ENOSPC, errno.EDQUOT}
 _FORBIDDEN = {errno.EACCES, errno.EPERM, errno.EROFS}
 _NOT_A_FOLDER = {errno.ENOTDIR, errno.EEXIST, errno.EISDIR}
@@ -30,7 +30,7 @@ def disk_errors(path: Path, verb: str = "write") -> Iterator[None]:
     >>> with disk_errors(Path("data")):
     ...     raise OSError(errno.ENOENT, "No such file or directory")
     Traceback (most recent call last):
-    vpr_bench.download.disk.DiskError: Cannot write data: No such file or directory.
+    vpr_bench.files.disk.DiskError: Cannot write data: No such file or directory.
     """
     try:
         yield

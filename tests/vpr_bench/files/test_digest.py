@@ -34,5 +34,5 @@ def test_what_is_not_a_digest_is_refused(text):
 
 
 def test_missing_file(tmp_path):
-    with pytest.raises(DataError, match="Cannot read .*No such file"):
+    with pytest.raises(DataError, match=r"Cannot read .*No such file"):
         sha256_of_file(tmp_path / "none")

@@ -1,0 +1,68 @@
+"""Where things are printed: results on stdout, everything else on stderr."""
+
+import sys
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import cache
+from typing import TYPE_CHECKING, TextIO
+
+if TYPE_CHECKING:
+    from rich.console import Console, RenderableType
+
+_WIDE = 200  # columns of a table that goes to a file or a pipe, where nothing has to fit a window
+
+
+@cache
+def stderr() -> "Console":
+    """Return the console of messages and progress bars."""
+    from rich.console import Console
+
+    return Console(stderr=True, highlight=False)
+
+
+def show(result: "RenderableType") -> None:
+    """Print a result for people on stdout."""
+    from rich.console import Console
+
+    Console(width=None if sys.stdout.isatty() else _WIDE, highlight=False).print(result)
+
+
+def write(text: str) -> None:
+    """Print a result for programs on stdout, as it is."""
+    sys.stdout.write(text + "\n")
+
+
+def say(message: str) -> None:
+    """Print a message on stderr, nothing in it taken for markup."""
+    stderr().print(message, markup=False, soft_wrap=True)
+
+
+def complain(message: str) -> None:
+    """Print an error on stderr."""
+    from rich.text import Text
+
+    stderr().print(Text.assemble(("error: ", "bold red"), message), soft_wrap=True)
+
+
+@contextmanager
+def notes_on_stderr() -> Iterator[None]:
+    """Print the project's own warnings as one line each instead of Python's two with a source line."""
+    usual = warnings.showwarning
+
+    def note(
+        message: Warning | str,
+        category: type[Warning],
+        filename: str,
+        lineno: int,
+        file: TextIO | None = None,
+        line: str | None = None,
+    ) -> None:
+        if category.__module__.startswith("vpr_"):
+            say(f"warning: {message}")
+        else:
+            usual(message, category, filename, lineno, file, line)
+
+    with warnings.catch_warnings():
+        warnings.showwarning = note
+        yield

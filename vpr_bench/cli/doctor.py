@@ -1,0 +1,65 @@
+"""``vpr-bench doctor``: what this installation has, for bug reports and for the puzzled."""
+
+import typer
+
+from vpr_bench.cli.console import show
+from vpr_bench.errors import VprBenchError
+
+
+def doctor() -> None:
+    """Say which versions, cores, folders, images and weights there are; exit 1 if something is wrong."""
+    from rich.table import Table
+
+    from vpr_bench.runner.machine import available_cores, describe_machine
+
+    machine = describe_machine(available_cores())
+    faults = 0
+    table = Table(show_header=False, box=None, pad_edge=False)
+    table.add_column(style="bold")
+    table.add_column(overflow="fold")
+    table.add_row("system", f"{machine.system}, Python {machine.python}")
+    table.add_row("processor", f"{machine.processor}, {machine.cores} cores")
+    for name, version in machine.libraries.items():
+        table.add_row(name, version)
+    for name, state in [*_folders(), *_images(), *_weights()]:
+        faults += isinstance(state, VprBenchError)
+        table.add_row(name, f"[red]{state}[/red]" if isinstance(state, VprBenchError) else str(state))
+    show(table)
+    if faults:
+        raise typer.Exit(1)
+
+
+def _folders() -> list[tuple[str, object]]:
+    from vpr_bench.dataset.folders import cache_root, data_root
+
+    try:
+        root: object = data_root()
+    except VprBenchError as error:
+        root = error
+    return [("data root", root), ("cache", cache_root())]
+
+
+def _images() -> list[tuple[str, object]]:
+    from vpr_bench.dataset.card import DATASETS, as_card
+    from vpr_bench.dataset.editions import find_real
+
+    states: list[tuple[str, object]] = []
+    for name, card in DATASETS.load_all(as_card).items():
+        try:
+            states.append((f"images of {name}", find_real(card) or "not on disk: simulated ones are used"))
+        except VprBenchError as error:
+            states.append((f"images of {name}", error))
+    return states
+
+
+def _weights() -> list[tuple[str, object]]:
+    from vpr_bench.method.build import METHODS, build_method
+
+    states: list[tuple[str, object]] = []
+    for entry in METHODS.entries():
+        try:
+            weights: object = build_method(entry.name).weights or "needs none"
+        except VprBenchError as error:
+            weights = error
+        states.append((f"weights of {entry.name}", weights))
+    return states

@@ -1,0 +1,151 @@
+"""``vpr-bench list`` and ``vpr-bench info``: what there is."""
+
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+import typer
+
+from vpr_bench.cli.console import show, write
+from vpr_bench.errors import UsageError, closest
+
+if TYPE_CHECKING:
+    from vpr_bench.dataset.card import Card
+
+LIST_EXAMPLES = """[bold]Examples[/bold]
+
+vpr-bench list
+
+vpr-bench list methods --format json
+"""
+INFO_EXAMPLES = """[bold]Examples[/bold]
+
+vpr-bench info gardens
+
+vpr-bench info twostage
+"""
+
+
+Kind = Literal["methods", "datasets", "metrics"]
+TextFormat = Literal["table", "json"]
+
+KindArgument = Annotated[Kind | None, typer.Argument(help="What to list. Default: everything.")]
+TextFormatOption = Annotated[TextFormat, typer.Option("--format", "-f", help="How to write to stdout.")]
+
+
+def list_(kind: KindArgument = None, form: TextFormatOption = "table") -> None:
+    """List methods, datasets and metrics, and where each comes from."""
+    from rich.table import Table
+
+    listed = {one: _LISTS[one]() for one in ([kind] if kind else _LISTS)}
+    if form == "json":
+        _write_json(listed)
+        return
+    for title, lines in listed.items():
+        table = Table(title=title, title_justify="left", title_style="bold", box=None, pad_edge=False)
+        for column in lines[0] if lines else ():
+            table.add_column(column, overflow="fold")
+        for line in lines:
+            table.add_row(*line.values())
+        show(table)
+
+
+def info(
+    name: Annotated[str, typer.Argument(help="A method, dataset or metric.")],
+    form: TextFormatOption = "table",
+) -> None:
+    """Say everything about one method, dataset or metric."""
+    facts = _describe(name)
+    if form == "json":
+        _write_json(facts)
+        return
+    from rich.table import Table
+
+    table = Table(show_header=False, box=None, pad_edge=False)
+    table.add_column(style="bold")
+    table.add_column(overflow="fold")
+    for key, value in facts.items():
+        lines = (
+            [" · ".join(f"{k}: {v}" for k, v in one.items() if v not in (None, "")) for one in value]
+            if isinstance(value, list)
+            else [f"{value}"]
+        )
+        table.add_row(key, "\n".join(lines))
+    show(table)
+
+
+def _describe(name: str) -> dict[str, Any]:
+    from vpr_bench.dataset.card import DATASETS, as_card
+    from vpr_bench.method.build import METHODS, describe_parameters
+
+    methods = {entry.name for entry in METHODS.entries()}
+    datasets = {entry.name for entry in DATASETS.entries()}
+    if name in datasets:
+        return _describe_card(as_card(DATASETS.entry(name).load()), DATASETS.entry(name).origin)
+    if name in methods or ":" in name:
+        entry = METHODS.entry(name)
+        parameters = [{"parameter": key, "default": value} for key, value in describe_parameters(entry).items()]
+        return {
+            "method": name,
+            "summary": entry.summary(),
+            "from": f"{entry.origin} ({entry.target})",
+            "parameters": parameters,
+        }
+    from vpr_bench.metrics.definitions import METRICS
+
+    if name in METRICS:
+        return {"metric": name, "definition": METRICS[name].definition}
+    known = methods | datasets | METRICS.keys()
+    raise UsageError(f"There is no method, dataset or metric {name!r}. {closest(name, known)}")
+
+
+def _describe_card(card: "Card", origin: str) -> dict[str, Any]:
+    return {
+        "dataset": f"{card.id}: {card.name}",
+        "summary": card.summary,
+        "citation": card.citation,
+        "licence": card.licence,
+        "homepage": card.homepage,
+        "from": origin,
+        "traverses": [{"name": one.name, "images": one.images, "about": one.about} for one in card.traverses],
+        "protocols": [
+            {"id": str(card.protocol(f"{one.references}-{one.queries}")), "about": one.about} for one in card.protocols
+        ],
+        "published": [
+            {
+                "protocol": f"{one.references}-{one.queries}",
+                "radius": "not stated" if one.radius is None else one.radius,
+                "method": one.method,
+                one.metric: one.value,
+                "source": one.source,
+            }
+            for one in card.published
+        ],
+        "editions": "real, simulated" if card.simulation else "real",
+    }
+
+
+def _methods() -> list[dict[str, str]]:
+    from vpr_bench.method.build import METHODS
+
+    return [{"name": one.name, "what": one.summary(), "from": one.origin} for one in METHODS.entries()]
+
+
+def _datasets() -> list[dict[str, str]]:
+    from vpr_bench.dataset.card import DATASETS, as_card
+
+    cards = DATASETS.load_all(as_card)
+    return [{"name": name, "what": card.summary, "from": DATASETS.entry(name).origin} for name, card in cards.items()]
+
+
+def _metrics() -> list[dict[str, str]]:
+    from vpr_bench.metrics.definitions import METRICS
+
+    return [{"name": metric.id, "what": metric.definition} for metric in METRICS.values()]
+
+
+def _write_json(content: Any) -> None:
+    import json
+
+    write(json.dumps(content, indent=2, ensure_ascii=False))
+
+
+_LISTS = {"methods": _methods, "datasets": _datasets, "metrics": _metrics}

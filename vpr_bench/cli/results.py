@@ -1,0 +1,92 @@
+"""Scoring stored runs as the options say, and printing the rows."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from vpr_bench.cli.console import show, write
+from vpr_bench.cli.options import Format
+from vpr_bench.errors import VprBenchError
+
+if TYPE_CHECKING:
+    from vpr_bench.dataset.card import Card
+    from vpr_bench.report.rows import Row
+    from vpr_bench.runner.store import StoredRun
+    from vpr_bench.types.protocol import Protocol, Unmatched
+
+
+@dataclass(frozen=True)
+class Scoring:
+    """How runs are scored: which metrics, at which radii, with how many resamples.
+
+    Attributes
+    ----------
+    metrics : list of str
+        Metric ids.
+    radii : list of float or None
+        None for the protocol's own.
+    unmatched : {"exclude", "miss", "reject"} or None
+        None for the protocol's own.
+    resamples : int
+        Of the bootstrap; 0 for no intervals.
+    """
+
+    metrics: list[str]
+    radii: list[float] | None
+    unmatched: "Unmatched | None"
+    resamples: int
+
+    def rows(self, run: "StoredRun", protocol: "Protocol | None" = None) -> list["Row"]:
+        """Score one run at every radius.
+
+        Parameters
+        ----------
+        run : StoredRun
+            A complete run.
+        protocol : Protocol, optional
+            Instead of the one that the run was stored with.
+        """
+        from vpr_bench.report.rows import score_run
+
+        protocol = protocol or run.protocol
+        unmatched = self.unmatched or protocol.unmatched
+        radii = self.radii or [protocol.radius]
+        return [score_run(run, self.metrics, radius, unmatched, self.resamples) for radius in radii]
+
+
+def check_metrics(names: list[str] | None, default: Sequence[str]) -> list[str]:
+    """Return the metrics that were asked for, or the default ones.
+
+    Raises
+    ------
+    UsageError
+        If there is no metric of that name.
+    """
+    from vpr_bench.metrics.definitions import lookup
+
+    return [lookup(name).id for name in names or default]
+
+
+def print_rows(rows: Sequence["Row"], form: Format) -> None:
+    """Print scored runs on stdout."""
+    from vpr_bench.report.table import render_tables, to_csv, to_json
+
+    if form == "json":
+        write(to_json(rows))
+    elif form == "csv":
+        write(to_csv(rows))
+    elif rows:
+        show(render_tables(rows, _cards(rows)))
+
+
+def _cards(rows: Sequence["Row"]) -> dict[str, "Card"]:
+    """Find the cards of the rows' datasets; a stored run may outlive its dataset's plug-in."""
+    from vpr_bench.dataset.card import find_card
+
+    cards = {}
+    for dataset in {row.protocol.dataset for row in rows}:
+        try:
+            cards[dataset] = find_card(dataset)
+        except VprBenchError:
+            continue
+    return cards

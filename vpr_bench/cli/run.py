@@ -1,0 +1,164 @@
+"""``vpr-bench run``: methods on datasets."""
+
+from itertools import product
+from typing import TYPE_CHECKING, Annotated, Literal
+
+import typer
+
+from vpr_bench.cli import INTERRUPTED
+from vpr_bench.cli.bars import progress_bars
+from vpr_bench.cli.console import complain, say
+from vpr_bench.cli.options import (
+    RUNS,
+    BootstrapOption,
+    FormatOption,
+    MetricOption,
+    OutputOption,
+    RadiusOption,
+    UnmatchedOption,
+    parse_radii,
+)
+from vpr_bench.cli.results import Scoring, check_metrics, print_rows
+from vpr_bench.errors import UsageError, VprBenchError, closest
+
+if TYPE_CHECKING:
+    from vpr_bench.dataset.load import Case
+    from vpr_bench.method.build import BuiltMethod
+    from vpr_bench.report.rows import Row
+    from vpr_bench.runner.run import RunOptions
+    from vpr_bench.runner.store import RunStore, StoredRun
+
+EXAMPLES = """[bold]Examples[/bold]
+
+vpr-bench run --method twostage --dataset gardens
+
+vpr-bench run --method hog --method twostage --dataset gardens --protocol all
+
+vpr-bench run --method twostage --param n_components=1 --dataset gardens --radius 0,1,2,5 --bootstrap 2000
+
+vpr-bench run --method hog --dataset gardens:simulated --limit 20 --format json
+"""
+
+
+Overwrite = Literal["only-missing", "always", "never"]
+Edition = Literal["auto", "real", "simulated"]
+
+
+def run(
+    method: Annotated[
+        list[str], typer.Option("--method", help="Method name or module:Class; repeat for more.", metavar="NAME")
+    ],
+    dataset: Annotated[
+        list[str],
+        typer.Option("--dataset", help="Dataset, dataset:edition, or a whole protocol id; repeat.", metavar="NAME"),
+    ],
+    protocol: Annotated[
+        list[str] | None,
+        typer.Option(help="A named protocol of the dataset (references-queries), or all. Default: its first."),
+    ] = None,
+    edition: Annotated[Edition, typer.Option(help="auto: the real images if on disk, else simulated.")] = "auto",
+    param: Annotated[
+        list[str] | None,
+        typer.Option("--param", "-p", help="Parameter name=value, or method.name=value for one of several methods."),
+    ] = None,
+    radius: RadiusOption = None,
+    unmatched: UnmatchedOption = None,
+    seed: Annotated[int, typer.Option(min=0, help="Of the order of the queries and of the methods.")] = 0,
+    k: Annotated[int | None, typer.Option("--k", help="Answers kept per query. Default: 20, or the whole map.")] = None,
+    limit: Annotated[int | None, typer.Option(help="Ask only N queries: a quick look.", metavar="N")] = None,
+    threads: Annotated[int | None, typer.Option(min=1, help="Of numerical libraries. Default: all cores.")] = None,
+    overwrite: Annotated[Overwrite, typer.Option(help="What becomes of stored runs.")] = "only-missing",
+    metric: MetricOption = None,
+    bootstrap: BootstrapOption = 0,
+    output: OutputOption = RUNS,
+    form: FormatOption = "table",
+) -> None:
+    """Run methods on datasets, and print one line for each.
+
+    Runs are stored; what is stored already is shown, not run again, and what was interrupted is continued.
+    """
+    from vpr_bench.report.curve import draw_curve
+    from vpr_bench.report.rows import HEADLINE
+    from vpr_bench.runner.run import RunOptions
+    from vpr_bench.runner.store import RunStore
+
+    radii = parse_radii(radius)
+    scoring = Scoring(check_metrics(metric, HEADLINE), radii, unmatched, bootstrap)
+    store, options = RunStore(output), RunOptions(seed, k, limit, threads, overwrite)
+    rows: list[Row] = []
+    failures = []
+    try:
+        with progress_bars():
+            methods = _build(method, param or [], seed)
+            for case, built in product(_load(dataset, protocol, edition, scoring), methods):
+                try:
+                    stored = _run_one(case, built, store, options)
+                    scored = scoring.rows(stored, case.protocol)
+                    draw_curve(scored, stored.folder)
+                    rows += scored
+                except VprBenchError as error:
+                    complain(str(error))
+                    failures.append(error.exit_code)
+    except KeyboardInterrupt:
+        complain("interrupted; what was done is kept, and the same command continues there")
+        raise typer.Exit(INTERRUPTED) from None
+    print_rows(rows, form)
+    if failures:
+        raise typer.Exit(max(failures))
+
+
+def _build(names: list[str], assignments: list[str], seed: int) -> list["BuiltMethod"]:
+    """Make every method before anything runs, so that a typing error costs no time."""
+    from vpr_bench.method.build import build_method
+
+    parameters: dict[str, dict[str, str]] = {name: {} for name in names}
+    for assignment in assignments:
+        target, equals, value = assignment.partition("=")
+        if not equals or not target:
+            raise UsageError(f"A parameter is written name=value. Got {assignment!r} instead.")
+        owner, dot, parameter = target.rpartition(".")
+        if dot and owner not in parameters:
+            raise UsageError(f"{assignment!r} is for the method {owner!r}, which is not run. {closest(owner, names)}")
+        for name in [owner] if dot else names:
+            parameters[name][parameter] = value
+    return [build_method(name, parameters[name], seed) for name in dict.fromkeys(names)]
+
+
+def _load(datasets: list[str], protocols: list[str] | None, edition: str, scoring: "Scoring") -> list["Case"]:
+    """Load every case, and say where the images come from."""
+    from vpr_bench.dataset.card import find_card
+    from vpr_bench.dataset.folders import data_root
+    from vpr_bench.dataset.load import Request, load_case
+
+    cases = []
+    for name in datasets:
+        pairings: list[str | None] = [*protocols] if protocols else [None]
+        if protocols == ["all"]:
+            card = find_card(Request.parse(name).dataset)
+            pairings = [f"{one.references}-{one.queries}" for one in card.protocols]
+        for pairing in pairings:
+            case = load_case(name, pairing, edition, scoring.radii[0] if scoring.radii else None, scoring.unmatched)
+            for radius in scoring.radii or []:
+                case.check_radius(radius)
+            cases.append(case)
+        dataset = cases[-1].protocol.dataset
+        if cases[-1].protocol.edition == "simulated" and edition == "auto" and ":" not in name:
+            say(
+                f"{dataset}: SIMULATED images, rendered by vpr-bench, because the real ones are not under "
+                f"{data_root()}. Get them with `vpr-bench data fetch {dataset}`."
+            )
+        else:
+            say(f"{dataset}: {cases[-1].protocol.edition} images in {cases[-1].folder}")
+    return cases
+
+
+def _run_one(case: "Case", built: "BuiltMethod", store: "RunStore", options: "RunOptions") -> "StoredRun":
+    from vpr_bench.runner.run import run as run_method
+    from vpr_bench.runner.run import run_key
+
+    folder = store.folder(run_key(case, built, options))
+    known = folder.exists()
+    say(f"{built.label} on {case.protocol}: " + ("stored already" if known else "running"))
+    stored = run_method(case, built, store, options)
+    say(f"{built.label} on {case.protocol}: {stored.folder}")
+    return stored

@@ -1,0 +1,59 @@
+"""The precision-recall curve of a run as a picture."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from vpr_bench.files.atomic import replacing
+from vpr_bench.metrics.answers import Answers
+from vpr_bench.metrics.precision_recall import precision_recall_curve
+from vpr_bench.report.rows import Row
+
+FORMATS = ("png", "svg")
+
+
+def draw_curve(rows: Sequence[Row], folder: Path) -> list[Path]:
+    """Draw the curves of one run, one per radius, as ``precision_recall.png`` and ``.svg``.
+
+    Parameters
+    ----------
+    rows : sequence of Row
+        Of the same run, on protocols that differ in the radius.
+    folder : Path
+        Where to write.
+
+    Returns
+    -------
+    list of Path
+        The files.
+
+    Raises
+    ------
+    DataError
+        If they cannot be written.
+    """
+    # The object interface: no global state, no window system.
+    from matplotlib import rc_context
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    with rc_context({"svg.hashsalt": "vpr-bench", "font.size": 10}):
+        figure = Figure(figsize=(5.6, 4.6), layout="constrained")
+        FigureCanvasAgg(figure)
+        axes = figure.add_subplot()
+        for row in rows:
+            truth = row.run.ground_truth(row.protocol.radius)
+            answers = Answers.from_matches(row.run.indices, row.run.scores, truth, row.protocol.unmatched)
+            curve = precision_recall_curve(answers)
+            reach = f"radius {row.protocol.radius:g} {row.protocol.unit}"
+            area = row.metrics["pr_auc"]
+            axes.plot(curve.recall, curve.precision, linewidth=2, label=f"{reach}: pr_auc {area:.3f}")
+        axes.set(xlabel="recall", ylabel="precision", xlim=(0, 1), ylim=(0, 1.02))
+        axes.set_title(f"{rows[0].method}\n{rows[0].protocol}", fontsize=10, loc="left")
+        axes.grid(alpha=0.3)
+        axes.legend(loc="lower left", frameon=False)
+        files = [folder / f"precision_recall.{kind}" for kind in FORMATS]
+        for file in files:
+            with replacing(file) as temporary:
+                metadata = {"Date": None} if file.suffix == ".svg" else None
+                figure.savefig(temporary, format=file.suffix[1:], dpi=150, metadata=metadata)
+    return files
