@@ -7,6 +7,7 @@ from vpr_bench.files.atomic import replacing
 from vpr_bench.metrics.answers import Answers
 from vpr_bench.metrics.precision_recall import precision_recall_curve
 from vpr_bench.report.rows import Row
+from vpr_bench.types.protocol import Protocol
 
 FORMATS = ("png", "svg")
 
@@ -44,16 +45,21 @@ def draw_curve(rows: Sequence[Row], folder: Path) -> list[Path]:
             truth = row.run.ground_truth(row.protocol.radius)
             answers = Answers.from_matches(row.run.indices, row.run.scores, truth, row.protocol.unmatched)
             curve = precision_recall_curve(answers)
-            reach = f"radius {row.protocol.radius:g} {row.protocol.unit}"
             area = row.metrics["pr_auc"]
-            axes.plot(curve.recall, curve.precision, linewidth=2, label=f"{reach}: pr_auc {area:.3f}")
+            axes.plot(curve.recall, curve.precision, linewidth=2, label=f"{_reach(row.protocol)}: pr_auc {area:.3f}")
         axes.set(xlabel="recall", ylabel="precision", xlim=(0, 1), ylim=(0, 1.02))
-        axes.set_title(f"{rows[0].method}\n{rows[0].protocol}", fontsize=10, loc="left")
+        where = rows[0].protocol if len(rows) == 1 else f"{rows[0].protocol.source}/{rows[0].protocol.pairing}"
+        axes.set_title(f"{rows[0].method}\n{where}", fontsize=10, loc="left")
         axes.grid(alpha=0.3)
-        axes.legend(loc="lower left", frameon=False)
+        axes.legend(loc="best")
         files = [folder / f"precision_recall.{kind}" for kind in FORMATS]
         for file in files:
             with replacing(file) as temporary:
                 metadata = {"Date": None} if file.suffix == ".svg" else None
                 figure.savefig(temporary, format=file.suffix[1:], dpi=150, metadata=metadata)
     return files
+
+
+def _reach(protocol: Protocol) -> str:
+    unit = {"f": "frames", "m": "metres"}.get(protocol.unit)
+    return f"radius {protocol.radius:g} {unit}" if unit else "pairs"
