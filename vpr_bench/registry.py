@@ -70,7 +70,7 @@ class Entry:
         try:
             spec = importlib.util.find_spec(module_name)
             tree = ast.parse(Path(spec.origin).read_text("utf-8")) if spec and spec.origin else None
-        except (ImportError, OSError, SyntaxError, ValueError):
+        except Exception:  # finding a module runs its package's __init__, which may raise anything
             return ""
         for node in tree.body if tree else []:
             if isinstance(node, ast.ClassDef | ast.FunctionDef) and node.name == attribute:

@@ -20,7 +20,7 @@ def main() -> None:
     except KeyboardInterrupt:
         _fail("interrupted", INTERRUPTED)
     except OSError as error:
-        _fail(f"{error.filename or 'a file'} cannot be used: {error.strerror or error}", 3)
+        _fail(f"Cannot read or write {error.filename or 'a file'}: {error.strerror or error}.", 3)
 
 
 def _fail(message: str, exit_code: int) -> None:

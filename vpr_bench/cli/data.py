@@ -7,7 +7,6 @@ import typer
 
 from vpr_bench.cli.bars import progress_bars
 from vpr_bench.cli.console import complain, say, write
-from vpr_bench.errors import DataError
 
 app = typer.Typer(help="Find, fetch and verify the images of datasets.", no_args_is_help=True)
 
@@ -51,7 +50,7 @@ def verify(
     with progress_bars():
         faults = verify_images(card, folder)
     for fault in faults:
-        complain(fault)
+        complain(str(fault))
     if faults:
-        raise typer.Exit(DataError.exit_code if any("missing" in fault for fault in faults) else 1)
+        raise typer.Exit(max(fault.exit_code for fault in faults))
     write(f"{card.id}: {sum(one.images for one in card.traverses)} images in {folder} are the ones the card knows")

@@ -7,8 +7,10 @@ from vpr_bench.dataset.editions import find_real, search
 from vpr_bench.dataset.folders import data_root
 from vpr_bench.dataset.load import load_traverse
 from vpr_bench.download import fetch_archive
-from vpr_bench.errors import DataError
+from vpr_bench.errors import DataError, VprBenchError
 from vpr_bench.progress import track
+
+_AWAY = "It is never replaced: move it away, then fetch again."
 
 
 def fetch_images(card: Card) -> Path:
@@ -18,26 +20,40 @@ def fetch_images(card: Card) -> Path:
     ------
     DataError
         If the dataset cannot be downloaded automatically, the download fails, or what arrives is incomplete or
-        not the copy that the card knows. Nothing is left in the data root then.
+        not the copy that the card knows; nothing is left in the data root then. If what is there already is
+        incomplete or something else: nothing of the user's is ever replaced.
     """
     found = find_real(card)
     if found is not None:
+        _check_complete(card, found)
         return found
     if card.download is None:
         raise DataError(f"{card.id} cannot be downloaded automatically. Get it from {card.homepage}.")
 
     def check(folder: Path) -> None:
         traverses = search(folder, card)
-        faults = ["it holds none of the traverse folders"] if traverses is None else verify_images(card, traverses)
-        if faults:
-            raise DataError(f"What {card.download.url if card.download else ''} sent is not {card.id}: {faults[0]}")
+        if traverses is None:
+            raise DataError(f"The archive holds none of the traverse folders of {card.id}.")
+        for fault in verify_images(card, traverses):
+            raise DataError(f"The archive is not {card.id} as the card knows it: {fault}")
 
     folder = data_root() / card.id
     fetch_archive(card.download.url, folder, sha256=card.download.sha256, check=check)
-    return search(folder, card) or folder
+    traverses = search(folder, card)
+    if traverses is None:  # it was there before, and so nothing was fetched
+        raise DataError(f"{folder} holds none of the traverse folders of {card.id}. {_AWAY}")
+    return traverses
 
 
-def verify_images(card: Card, folder: Path) -> list[str]:
+def _check_complete(card: Card, folder: Path) -> None:
+    try:
+        for one in card.traverses:
+            load_traverse(card, one.name, "unverified", folder)
+    except DataError as error:
+        raise DataError(f"What is there of {card.id} is incomplete: {error}\n{_AWAY}") from None
+
+
+def verify_images(card: Card, folder: Path) -> list[VprBenchError]:
     """Check every traverse: complete, every image decodes, and the digest is the card's.
 
     Parameters
@@ -49,11 +65,11 @@ def verify_images(card: Card, folder: Path) -> list[str]:
 
     Returns
     -------
-    list of str
-        What is wrong, one line each; empty if all is well. Images are decoded only where the digest does not
-        vouch for them.
+    list of VprBenchError
+        What is wrong; empty if all is well. What is missing or damaged is a :class:`DataError`; another copy
+        than the known one is not. Images are decoded only where the digest does not vouch for them.
     """
-    faults = []
+    faults: list[VprBenchError] = []
     for one in card.traverses:
         try:
             traverse, _, digest = load_traverse(card, one.name, "unverified", folder)
@@ -62,8 +78,11 @@ def verify_images(card: Card, folder: Path) -> list[str]:
             for index in track(range(len(traverse)), f"Decoding {one.name}"):
                 traverse[index]
         except DataError as error:
-            faults.append(str(error))
+            faults.append(error)
             continue
         if one.digest is not None:
-            faults.append(f"{folder / one.path} is not the copy the card knows: expected {one.digest}, found {digest}.")
+            where = folder / one.path
+            faults.append(
+                VprBenchError(f"{where} is not the copy the card knows: expected {one.digest}, found {digest}.")
+            )
     return faults

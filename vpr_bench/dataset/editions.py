@@ -28,6 +28,7 @@ class Renderer(Protocol):
 
 
 _DEPTH = 2  # archives nest the traverses in one folder, some in two
+_DEBRIS = ("__MACOSX",)  # repeats an archive's folders without their images
 
 
 def find_real(card: Card) -> Path | None:
@@ -51,7 +52,7 @@ def search(folder: Path, card: Card, depth: int = _DEPTH) -> Path | None:
         return folder
     if depth == 0:
         return None
-    for inner in sorted(path for path in folder.iterdir() if path.is_dir()):
+    for inner in sorted(path for path in folder.iterdir() if path.is_dir() and path.name not in _DEBRIS):
         found = search(inner, card, depth - 1)
         if found is not None:
             return found
@@ -71,12 +72,14 @@ def resolve_edition(card: Card, edition: str) -> tuple[str, Path]:
     Raises
     ------
     UsageError
-        If there is no such edition.
+        If there is no such edition, or the dataset has none that is simulated.
     DataError
-        If the real images were asked for and are not on disk.
+        If the real images are needed and are not on disk.
     """
     if edition not in EDITIONS:
         raise UsageError(f"The edition must be one of {', '.join(EDITIONS)}. Got {edition!r} instead.")
+    if edition == "simulated" and card.simulation is None:
+        raise UsageError(f"The dataset {card.id!r} has no simulated edition. Use its real images.")
     if edition != "simulated":
         found = find_real(card)
         if found is not None:

@@ -14,7 +14,7 @@ from vpr_bench.dataset.editions import resolve_edition
 from vpr_bench.errors import UsageError
 from vpr_bench.registry import import_object
 from vpr_bench.types.ground_truth import GroundTruth
-from vpr_bench.types.protocol import Protocol, Unmatched
+from vpr_bench.types.protocol import Protocol, Unit, Unmatched
 from vpr_bench.types.traverse import Traverse
 
 
@@ -95,24 +95,24 @@ def load_case(
     Raises
     ------
     UsageError
-        If there is no such dataset, protocol or edition, or the radius is negative, not a number, or
-        larger than the map.
+        If there is no such dataset, protocol or edition, two of the arguments contradict each other, or the
+        radius is negative, not a number, or larger than the map.
     DataError
         If images are missing or damaged.
     """
     asked = Request.parse(dataset, protocol, edition)
     card = find_card(asked.dataset)
     chosen = card.protocol(asked.pairing)
+    if asked.unit not in (None, card.unit):
+        raise UsageError(f"{dataset!r} is in {asked.unit!r}, but the place labels of {card.id} are in {card.unit!r}.")
     radius = radius if radius is not None else asked.radius
-    unmatched = unmatched or asked.unmatched
-    name, folder = resolve_edition(card, asked.edition)
-    chosen = replace(
+    chosen = replace(  # before the edition is resolved: a wrong radius must not cost a rendering
         chosen,
-        edition=name,
         radius=chosen.radius if radius is None else radius,
-        unmatched=unmatched or chosen.unmatched,
+        unmatched=unmatched or asked.unmatched or chosen.unmatched,
     )
-    return load_from(card, chosen, folder)
+    name, folder = resolve_edition(card, asked.edition)
+    return load_from(card, replace(chosen, edition=name), folder)
 
 
 @dataclass(frozen=True)
@@ -123,6 +123,7 @@ class Request:
     pairing: str | None
     edition: str
     radius: float | None = None
+    unit: Unit | None = None
     unmatched: Unmatched | None = None
 
     @classmethod
@@ -136,10 +137,10 @@ class Request:
         """
         source, slash, rest = text.partition("/")
         dataset, colon, named = source.partition(":")
-        radius, unmatched = None, None
+        radius, unit, unmatched = None, None, None
         if "@" in rest:
             whole = Protocol.parse(text)
-            rest, radius, unmatched = whole.pairing, whole.radius, whole.unmatched
+            rest, radius, unit, unmatched = whole.pairing, whole.radius, whole.unit, whole.unmatched
             named, colon = whole.edition, ":"
         if colon:
             if edition not in ("auto", named):
@@ -149,7 +150,7 @@ class Request:
             if pairing not in (None, rest):
                 raise UsageError(f"{text!r} names the protocol {rest!r}, but --protocol says {pairing!r}.")
             pairing = rest
-        return cls(dataset, pairing, edition, radius, unmatched)
+        return cls(dataset, pairing, edition, radius, unit, unmatched)
 
 
 def load_from(card: Card, protocol: Protocol, folder: Path) -> Case:

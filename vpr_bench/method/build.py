@@ -1,5 +1,6 @@
 """From a name and parameters to a method, and back to what stands in the result."""
 
+import dataclasses
 import hashlib
 import inspect
 import sys
@@ -65,7 +66,7 @@ def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: i
     factory = entry.load()
     if not callable(factory) or not all(hasattr(factory, part) for part in ("fit", "match")):
         raise UsageError(f"{name!r} is not a method: {entry.target} must be a class with fit and match.")
-    known = inspect.signature(factory).parameters
+    known = _defaults(factory)
     given = dict(parameters or {})
     if seed is not None and "seed" in known:
         given.setdefault("seed", seed)
@@ -77,30 +78,40 @@ def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: i
         method = factory(**typed)
     except (TypeError, ValueError) as error:
         raise UsageError(f"The method {name!r} refuses its parameters: {error}") from error
-    values = {key: getattr(method, key, typed.get(key)) for key in known}
+    values = {key: getattr(method, key, typed.get(key, default)) for key, default in known.items()}
     weights = method.weights_digest() if isinstance(method, Weighted) else None
-    changed = [f"{key}={value}" for key, value in values.items() if key != "seed" and value != known[key].default]
+    changed = [f"{key}={value}" for key, value in values.items() if key != "seed" and value != known[key]]
     label = f"{entry.name}({', '.join(changed)})" if changed else entry.name
     return BuiltMethod(entry.name, _version(entry, factory), values, weights, label, method)
 
 
 def describe_parameters(entry: Entry) -> dict[str, str]:
     """Return each parameter of a method with its default, as text."""
-    signature = inspect.signature(entry.load())
     return {
-        name: "required" if parameter.default is parameter.empty else repr(parameter.default)
-        for name, parameter in signature.parameters.items()
+        name: "required" if default is inspect.Parameter.empty else repr(default)
+        for name, default in _defaults(entry.load()).items()
+    }
+
+
+def _defaults(factory: Any) -> dict[str, Any]:
+    """Return each named parameter of a constructor with its default, ``Parameter.empty`` if it is required."""
+    fields = dataclasses.fields(factory) if dataclasses.is_dataclass(factory) else ()
+    made = {one.name: one.default_factory() for one in fields if one.default_factory is not dataclasses.MISSING}
+    return {
+        name: made.get(name, parameter.default)
+        for name, parameter in inspect.signature(factory).parameters.items()
+        if parameter.kind not in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD)
     }
 
 
 def _convert(method: str, factory: Any, parameter: str, value: Any) -> Any:
-    from pydantic import TypeAdapter, ValidationError
+    from pydantic import PydanticUserError, TypeAdapter, ValidationError
 
-    hints = typing.get_type_hints(factory.__init__)
-    if parameter not in hints:
-        return value
     try:
-        return TypeAdapter(hints[parameter]).validate_python(value)
+        hint = typing.get_type_hints(factory.__init__, include_extras=True).get(parameter, Any)
+        return TypeAdapter(hint).validate_python(value)
+    except (NameError, PydanticUserError):  # a hint that only a type checker understands
+        return value
     except ValidationError as error:
         reason = error.errors()[0]["msg"]
         raise UsageError(f"The parameter {parameter!r} of {method!r}: {reason}. Got {value!r} instead.") from None

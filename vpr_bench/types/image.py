@@ -63,7 +63,9 @@ def decode_image(source: Path | bytes, name: str | None = None) -> NDArray[np.ui
             return _to_rgb(ImageOps.exif_transpose(image))
     except UnidentifiedImageError:
         raise DataError(f"{called} is not an image (known formats: {', '.join(FORMATS)}).") from None
-    except (OSError, ValueError, SyntaxError, Image.DecompressionBombError) as error:
+    except DataError:
+        raise
+    except Exception as error:  # whatever a damaged file makes one of Pillow's parsers raise
         raise DataError(f"{called} cannot be decoded: {error}. Restore it, or fetch the dataset again.") from None
 
 

@@ -1,0 +1,72 @@
+import csv
+import io
+import json
+
+from rich.console import Console
+
+from vpr_bench.dataset.card import find_card
+from vpr_bench.report.rows import score_run
+from vpr_bench.report.table import published_for, render_tables, to_csv, to_json
+from vpr_bench.types.protocol import Protocol
+
+
+def _text(rows):
+    console = Console(width=200, record=True, file=io.StringIO())
+    console.print(render_tables(rows, {"gardens": find_card("gardens")}))
+    return console.export_text()
+
+
+def test_shows_measured_and_published_numbers_apart(stored):
+    text = _text([score_run(stored())])
+    assert "gardens/day_left-night_right@0f" in text
+    assert "0.500" in text
+    assert "published: two-stage, 7 components [1]" in text
+    assert "radius not stated" in text
+
+
+def test_one_table_per_protocol(stored):
+    run = stored()
+    text = _text([score_run(run, radius=0), score_run(run, radius=2)])
+    assert text.index("night_right@0f") < text.index("night_right@2f")
+
+
+def test_published_numbers_never_stand_beside_simulated_ones(stored):
+    simulated = "gardens:simulated/day_left-night_right@2f"
+    assert "published" not in _text([score_run(stored(simulated))])
+    assert published_for(find_card("gardens"), Protocol.parse(simulated)) == []
+
+
+def test_partial_run_says_so(stored):
+    assert "hog (partial)" in _text([score_run(stored(limit=4))])
+
+
+def test_undefined_is_a_dash(stored):
+    assert "–" in _text([score_run(stored(), ["recall@1", "roc_auc"], radius=3)])
+
+
+def test_intervals_stand_below_the_value(stored):
+    assert "0.500" in (text := _text([score_run(stored(), ["recall@1"], resamples=100)]))
+    assert "0.000–1.000" in text
+
+
+def test_markup_in_a_name_is_text(stored):
+    assert "[bold]x[/bold]" in _text([score_run(stored(label="[bold]x[/bold]"))])
+
+
+def test_json(stored):
+    content = json.loads(to_json([score_run(stored())]))
+    assert content[0]["method"] == "hog"
+    assert content[0]["metrics"]["recall@1"] == 0.5
+
+
+def test_csv_has_one_column_per_number(stored):
+    rows = [score_run(stored(), ["recall@1"], resamples=50), score_run(stored(folder="b"), ["roc_auc"])]
+    lines = list(csv.DictReader(io.StringIO(to_csv(rows))))
+    assert lines[0]["recall@1"] == "0.5"
+    assert float(lines[0]["recall@1_low"]) < 0.5
+    assert lines[1]["recall@1"] == ""
+    assert float(lines[0]["latency_total_p50"]) == 30.0
+
+
+def test_no_rows():
+    assert json.loads(to_json([])) == []

@@ -1,0 +1,86 @@
+import json
+
+import numpy as np
+import pytest
+
+from vpr_bench.errors import DataError
+from vpr_bench.runner.run import RunOptions, run
+from vpr_bench.runner.store import RunStore, StoredRun, StoreWarning
+
+
+def test_folder_says_what_it_is(case, store, built, mean_colour):
+    stored = run(case, built(mean_colour()), store)
+    assert stored.folder.relative_to(store.root).parts[:-1] == ("tiny", "summer-winter", "mean-colour")
+    assert stored.folder.name == stored.record.key.digest()
+
+
+def test_no_colon_in_paths(case, store, built, mean_colour):
+    from dataclasses import replace
+
+    simulated = replace(case, protocol=replace(case.protocol, edition="simulated"))
+    stored = run(simulated, built(mean_colour()), store)
+    assert ":" not in str(stored.folder.relative_to(store.root))
+    assert str(stored.protocol) == "tiny:simulated/summer-winter@1f"
+
+
+def test_runs_lists_whole_runs_and_warns_of_damaged_ones(case, store, built, mean_colour):
+    good = run(case, built(mean_colour()), store)
+    bad = run(case, built(mean_colour()), store, RunOptions(seed=1))
+    (bad.folder / "matches.npz").write_bytes(b"x")
+    with pytest.raises(KeyboardInterrupt):
+        run(
+            case,
+            built(mean_colour(fail_after=5, error=KeyboardInterrupt)),
+            store,
+            RunOptions(seed=2),
+        )
+    with pytest.warns(StoreWarning, match="damaged"):
+        assert [found.folder for found in store.runs()] == [good.folder]
+
+
+def test_empty_store(tmp_path):
+    assert RunStore(tmp_path / "none").runs() == []
+
+
+def test_ground_truth_at_any_radius(case, store, built, mean_colour):
+    stored = run(case, built(mean_colour()), store)
+    assert stored.ground_truth(0)[3].tolist() == [3]
+    assert stored.ground_truth(2)[3].tolist() == [1, 2, 3, 4, 5]
+
+
+def test_killed_between_the_two_renames(case, store, built, mean_colour):
+    folder = run(case, built(mean_colour()), store).folder
+    former = folder.with_name(folder.name + ".former")
+    folder.rename(former)  # as left by a process that was killed before the new run was in place
+    again = mean_colour()
+    run(case, built(again), store)
+    assert again.fits == 0
+    assert not former.exists()
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"schema_version": 99}, "schema version 99"),
+        ({"surprise": 1}, "surprise"),
+        ({"n_queries": "many"}, "n_queries"),
+    ],
+)
+def test_foreign_record_is_refused(case, store, built, mean_colour, change, said):
+    folder = run(case, built(mean_colour()), store).folder
+    record = json.loads((folder / "run.json").read_text())
+    (folder / "run.json").write_text(json.dumps(record | change))
+    with pytest.raises(DataError, match=said):
+        StoredRun.open(folder)
+
+
+def test_object_arrays_are_not_unpickled(case, store, built, mean_colour):
+    from vpr_bench.files.digest import sha256_of_file
+
+    stored = run(case, built(mean_colour()), store)
+    np.savez(stored.folder / "labels.npz", queries=np.array([print], dtype=object), references=np.zeros(1))
+    record = json.loads((stored.folder / "run.json").read_text())
+    record["files"]["labels.npz"] = sha256_of_file(stored.folder / "labels.npz")
+    (stored.folder / "run.json").write_text(json.dumps(record))
+    with pytest.raises(DataError, match="damaged"):
+        StoredRun.open(stored.folder).ground_truth(1)
