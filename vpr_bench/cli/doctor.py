@@ -9,6 +9,7 @@ from vpr_bench.errors import VprBenchError
 def doctor() -> None:
     """Say which versions, cores, folders, images and weights there are; exit 1 if something is wrong."""
     from rich.table import Table
+    from rich.text import Text
 
     from vpr_bench.runner.machine import available_cores, describe_machine
 
@@ -23,7 +24,7 @@ def doctor() -> None:
         table.add_row(name, version)
     for name, state in [*_folders(), *_images(), *_weights()]:
         faults += isinstance(state, VprBenchError)
-        table.add_row(name, f"[red]{state}[/red]" if isinstance(state, VprBenchError) else str(state))
+        table.add_row(name, Text(str(state), style="red" if isinstance(state, VprBenchError) else ""))
     show(table)
     if faults:
         raise typer.Exit(1)

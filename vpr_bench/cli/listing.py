@@ -34,6 +34,7 @@ TextFormatOption = Annotated[TextFormat, typer.Option("--format", "-f", help="Ho
 def list_(kind: KindArgument = None, form: TextFormatOption = "table") -> None:
     """List methods, datasets and metrics, and where each comes from."""
     from rich.table import Table
+    from rich.text import Text
 
     listed = {one: _LISTS[one]() for one in ([kind] if kind else _LISTS)}
     if form == "json":
@@ -44,7 +45,7 @@ def list_(kind: KindArgument = None, form: TextFormatOption = "table") -> None:
         for column in lines[0] if lines else ():
             table.add_column(column, overflow="fold")
         for line in lines:
-            table.add_row(*line.values())
+            table.add_row(*(Text(value) for value in line.values()))
         show(table)
 
 
@@ -58,18 +59,19 @@ def info(
         _write_json(facts)
         return
     from rich.table import Table
+    from rich.text import Text
 
     table = Table(show_header=False, box=None, pad_edge=False)
     table.add_column(style="bold")
     table.add_column(overflow="fold")
     for key, value in facts.items():
-        lines = (
-            [" · ".join(f"{k}: {v}" for k, v in one.items() if v not in (None, "")) for one in value]
-            if isinstance(value, list)
-            else [f"{value}"]
-        )
-        table.add_row(key, "\n".join(lines))
+        table.add_row(key, Text("\n".join(map(_line, value)) if isinstance(value, list) else str(value)))
     show(table)
+
+
+def _line(facts: dict[str, Any]) -> str:
+    """Write a part of a description on one line; what is empty is left out."""
+    return " · ".join(f"{key}: {value}" for key, value in facts.items() if value not in (None, ""))
 
 
 def _describe(name: str) -> dict[str, Any]:

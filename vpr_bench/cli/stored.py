@@ -97,6 +97,7 @@ def _select(names: list[str] | None, output: Path) -> list["StoredRun"]:
 
 def _details(run: "StoredRun") -> "RenderableType":
     from rich.table import Table
+    from rich.text import Text
 
     record = run.record
     facts = {
@@ -116,5 +117,5 @@ def _details(run: "StoredRun") -> "RenderableType":
     }
     table = Table(show_header=False, box=None, pad_edge=False)
     for name, value in facts.items():
-        table.add_row(name, value)
+        table.add_row(name, Text(value))
     return table

@@ -53,7 +53,7 @@ def _table(protocol: Protocol, rows: Sequence[Row], published: Sequence[Publishe
     stages = [stage for stage in _STAGES if any(f"latency_{stage}_p50" in row.latency for row in rows)]
     record = rows[0].run.record
     title = f"{protocol}   {record.n_references} references, {record.n_queries} queries"
-    table = Table(title=title, title_justify="left", title_style="bold", caption_justify="left")
+    table = Table(title=Text(title), title_justify="left", title_style="bold", caption_justify="left")
     table.add_column("method", overflow="fold")
     for metric in metrics:
         table.add_column(metric, justify="right")
@@ -62,7 +62,7 @@ def _table(protocol: Protocol, rows: Sequence[Row], published: Sequence[Publishe
     for row in rows:
         values = [_value(row, metric) for metric in metrics]
         times = [_percentiles(row, stage) for stage in stages]
-        table.add_row(row.method + (" (partial)" if row.partial else ""), *values, *times)
+        table.add_row(Text(row.method + (" (partial)" if row.partial else "")), *values, *times)
     sources = list(dict.fromkeys(_source(one) for one in published if one.metric in metrics))
     if sources:
         table.add_section()

@@ -54,12 +54,7 @@ def decode_image(source: Path | bytes, name: str | None = None) -> NDArray[np.ui
         raise DataError(f"{called} is empty (0 bytes). Restore it, or fetch the dataset again.")
     try:
         with Image.open(io.BytesIO(content), formats=FORMATS) as image:
-            width, height = image.size
-            if width * height > MAX_PIXELS:
-                raise DataError(
-                    f"{called} claims {width} × {height} pixels, more than the {MAX_PIXELS:,} that are decoded: "
-                    "refused as an image bomb."
-                )
+            _check_size(called, *image.size)
             return _to_rgb(ImageOps.exif_transpose(image))
     except UnidentifiedImageError:
         raise DataError(f"{called} is not an image (known formats: {', '.join(FORMATS)}).") from None
@@ -74,6 +69,14 @@ def _read(path: Path) -> bytes:
         return path.read_bytes()
     except OSError as error:
         raise DataError(f"{path} cannot be read: {error.strerror}.") from None
+
+
+def _check_size(called: str, width: int, height: int) -> None:
+    if width * height > MAX_PIXELS:
+        raise DataError(
+            f"{called} claims {width} × {height} pixels, more than the {MAX_PIXELS:,} that are decoded: "
+            "refused as an image bomb."
+        )
 
 
 def _to_rgb(image: "Image.Image") -> NDArray[np.uint8]:  # type: ignore[name-defined] # noqa: F821

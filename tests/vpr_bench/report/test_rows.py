@@ -28,8 +28,9 @@ def test_pairs_are_scored_because_every_match_is_complete(stored):
 
 
 def test_intervals_only_when_asked(stored):
-    assert score_run(stored()).intervals == {}
-    low, high = score_run(stored(), ["recall@1"], resamples=200).intervals["recall@1"]
+    run = stored()
+    assert score_run(run).intervals == {}
+    low, high = score_run(run, ["recall@1"], resamples=200).intervals["recall@1"]
     assert 0 <= low < 0.5 < high <= 1
 
 
