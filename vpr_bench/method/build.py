@@ -3,6 +3,7 @@
 import dataclasses
 import hashlib
 import inspect
+import json
 import sys
 import typing
 from collections.abc import Mapping
@@ -78,7 +79,8 @@ def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: i
         method = factory(**typed)
     except (TypeError, ValueError) as error:
         raise UsageError(f"The method {name!r} refuses its parameters: {error}") from error
-    values = {key: getattr(method, key, typed.get(key, default)) for key, default in known.items()}
+    values = known | typed
+    _check_json(name, values)
     weights = method.weights_digest() if isinstance(method, Weighted) else None
     changed = [f"{key}={value}" for key, value in values.items() if key != "seed" and value != known[key]]
     label = f"{entry.name}({', '.join(changed)})" if changed else entry.name
@@ -115,6 +117,14 @@ def _convert(method: str, factory: Any, parameter: str, value: Any) -> Any:
     except ValidationError as error:
         reason = error.errors()[0]["msg"]
         raise UsageError(f"The parameter {parameter!r} of {method!r}: {reason}. Got {value!r} instead.") from None
+
+
+def _check_json(method: str, values: Mapping[str, Any]) -> None:
+    for name, value in values.items():
+        try:
+            json.dumps(value, allow_nan=False)
+        except (TypeError, ValueError) as error:
+            raise UsageError(f"The parameter {name!r} of {method!r} cannot stand in a result: {error}.") from None
 
 
 def _version(entry: Entry, factory: Any) -> str:

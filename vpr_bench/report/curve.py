@@ -5,7 +5,7 @@ from pathlib import Path
 
 from vpr_bench.files.atomic import replacing
 from vpr_bench.metrics.answers import Answers
-from vpr_bench.metrics.precision_recall import precision_recall_curve
+from vpr_bench.metrics.precision_recall import pr_auc, precision_recall_curve
 from vpr_bench.report.rows import Row
 from vpr_bench.types.protocol import Protocol
 
@@ -45,8 +45,12 @@ def draw_curve(rows: Sequence[Row], folder: Path) -> list[Path]:
             truth = row.run.ground_truth(row.protocol.radius)
             answers = Answers.from_matches(row.run.indices, row.run.scores, truth, row.protocol.unmatched)
             curve = precision_recall_curve(answers)
-            area = row.metrics["pr_auc"]
-            axes.plot(curve.recall, curve.precision, linewidth=2, label=f"{_reach(row.protocol)}: pr_auc {area:.3f}")
+            axes.plot(
+                curve.recall,
+                curve.precision,
+                linewidth=2,
+                label=f"{_reach(row.protocol)}: pr_auc {pr_auc(answers):.3f}",
+            )
         axes.set(xlabel="recall", ylabel="precision", xlim=(0, 1), ylim=(0, 1.02))
         where = rows[0].protocol if len(rows) == 1 else f"{rows[0].protocol.source}/{rows[0].protocol.pairing}"
         axes.set_title(f"{rows[0].method}\n{where}", fontsize=10, loc="left")

@@ -1,0 +1,9 @@
+import json
+
+
+def test_pairs(vpr_bench):
+    done = vpr_bench("bench", "pairs", "--queries", "300", "--dimensions", "8", "--radius", "2")
+    facts = json.loads(done.out)
+    assert done.code == 0
+    assert 0 < facts["pr_auc_pairs"] < 1
+    assert facts["peak_rss_bytes"] > 0
