@@ -12,6 +12,8 @@ from vpr_bench.timing import stage
 from vpr_bench.types.match import Match
 from vpr_bench.types.traverse import Traverse
 
+_SHORTEST = 1e-12  # the squares of smaller numbers vanish in float32, and lengths with them
+
 
 class Retrieval:
     """Describe, keep the references' descriptors, answer with the most similar ones by cosine.
@@ -50,6 +52,6 @@ class Retrieval:
 
 
 def normalised(vectors: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Scale (…, D) vectors to unit length along the last axis; zero vectors stay zero."""
+    """Scale (…, D) vectors to unit length along the last axis; those shorter than 1e-12 stay (almost) zero."""
     lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
-    return np.asarray(vectors / np.maximum(lengths, np.finfo(np.float32).tiny), dtype=np.float32)
+    return np.asarray(vectors / np.maximum(lengths, _SHORTEST), dtype=np.float32)

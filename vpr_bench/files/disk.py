@@ -46,9 +46,15 @@ def _explain(path: Path, verb: str, error: OSError) -> str:
     if error.errno in _FORBIDDEN:
         return f"Cannot {verb} {path}: {error.strerror}. Change the permissions, or {_ELSEWHERE}."
     if error.errno in _NOT_A_FOLDER:
-        where = error.filename or path
-        return f"Cannot {verb} {path}: {where} is in the way. Move it, or {_ELSEWHERE}."
+        return f"Cannot {verb} {path}: {_in_the_way(path, error)} is in the way. Move it, or {_ELSEWHERE}."
     return f"Cannot {verb} {path}: {error.strerror}."
+
+
+def _in_the_way(path: Path, error: OSError) -> Path:
+    """Return the file that lies where a folder is needed; the system names only what is below it."""
+    named = [Path(name) for name in (error.filename, error.filename2, path) if isinstance(name, str | Path)]
+    candidates = [one for name in named for one in (name, *name.parents)]
+    return next((one for one in candidates if one.is_file()), candidates[0])
 
 
 def require_space(folder: Path, size: int) -> None:

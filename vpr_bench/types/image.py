@@ -58,6 +58,8 @@ def decode_image(source: Path | bytes, name: str | None = None) -> NDArray[np.ui
             return _to_rgb(ImageOps.exif_transpose(image))
     except UnidentifiedImageError:
         raise DataError(f"{called} is not an image (known formats: {', '.join(FORMATS)}).") from None
+    except Image.DecompressionBombError as error:
+        raise DataError(f"{called} is refused as an image bomb: {error}") from None
     except DataError:
         raise
     except Exception as error:  # whatever a damaged file makes one of Pillow's parsers raise

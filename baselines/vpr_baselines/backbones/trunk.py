@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from torch import nn
+from torch import Tensor, nn
 from torch.nn.utils.fusion import fuse_conv_bn_eval
 
 from vpr_baselines.backbones.efficientnet_lite0 import MEAN, STD, EfficientNetLite0
@@ -84,15 +84,21 @@ class Trunk:
     def encode(self, images: Sequence[NDArray[np.uint8]]) -> NDArray[np.float32]:
         """Compute the last feature maps of (H, W, 3) uint8 RGB images of any size.
 
+        Images go through one by one: on a CPU a batch is no faster, its large intermediate results make it
+        slower, and an image's features do not depend on its neighbours.
+
         Returns
         -------
         (B, 1280, ceil(height / 32), ceil(width / 32)) float32
         """
-        prepared = torch.from_numpy(np.stack([self._prepare(image) for image in images]))
-        batch = prepared.float().div_(255).sub_(MEAN).div_(STD)[:, None].expand(-1, 3, -1, -1)
         with torch.inference_mode():
-            maps = self.network.features(batch.contiguous(memory_format=torch.channels_last))
-        return np.asarray(maps.contiguous().numpy())
+            return np.concatenate([self.network.features(self._input(image)).numpy() for image in images])
+
+    def _input(self, image: NDArray[np.uint8]) -> Tensor:
+        """Turn an image into what the network takes: (1, 3, height, width) float32."""
+        grey_levels = torch.from_numpy(self._prepare(image)).float()
+        channels = grey_levels.div_(255).sub_(MEAN).div_(STD).expand(1, 3, -1, -1)
+        return channels.contiguous(memory_format=torch.channels_last)
 
     def _prepare(self, image: NDArray[np.uint8]) -> NDArray[np.uint8]:
         return locally_equalised(resized(grey(image), self.width, self.height))

@@ -46,4 +46,4 @@ def train_head(descriptors: NDArray[np.float32], labels: NDArray[np.int64], clas
     weight, bias = model.coef_, model.intercept_
     if classes == 2:  # scikit-learn keeps one row for two classes: the difference of theirs
         weight, bias = np.vstack([-weight, weight]) / 2, np.concatenate([-bias, bias]) / 2
-    return LinearHead(weight.astype(np.float32), bias.astype(np.float32))
+    return LinearHead(np.ascontiguousarray(weight, dtype=np.float32), bias.astype(np.float32))

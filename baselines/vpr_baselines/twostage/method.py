@@ -104,18 +104,17 @@ class TwoStage:
 
     def save(self, folder: Path) -> None:
         """Write the fitted map as one safetensors file."""
-        save_file(
-            {
-                "mean": self.mean_,
-                "database": self.database_,
-                "bounds": self.components_.clusters.bounds,
-                "stage_one.weight": self.stage_one_.weight,
-                "stage_one.bias": self.stage_one_.bias,
-                "components.weight": self.components_.head.weight,
-                "components.bias": self.components_.head.bias,
-            },
-            folder / _MAP_FILE,
-        )
+        arrays = {
+            "mean": self.mean_,
+            "database": self.database_,
+            "bounds": self.components_.clusters.bounds,
+            "stage_one.weight": self.stage_one_.weight,
+            "stage_one.bias": self.stage_one_.bias,
+            "components.weight": self.components_.head.weight,
+            "components.bias": self.components_.head.bias,
+        }
+        # safetensors writes an array's memory as it lies there, column by column for some.
+        save_file({name: np.ascontiguousarray(array) for name, array in arrays.items()}, folder / _MAP_FILE)
 
     def load(self, folder: Path) -> Self:
         """Read what :meth:`save` wrote."""

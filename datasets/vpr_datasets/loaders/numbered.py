@@ -41,15 +41,22 @@ def load(folder: Path, card: TraverseCard, pattern: str, first: int = 0) -> tupl
         raise DataError(f"The folder {folder} of the traverse {card.name!r} is missing. Fetch the dataset again.")
     numbers = range(first, first + card.images)
     expected = [pattern.format(index=number) for number in numbers]
-    found = {file.name for file in folder.iterdir() if file.suffix.lower() in SUFFIXES}
+    # Hidden files are no frames: copying from a Mac leaves a ._Image000.jpg beside each image.
+    visible = (file for file in folder.iterdir() if not file.name.startswith("."))
+    found = {file.name for file in visible if file.suffix.lower() in SUFFIXES}
     missing = [name for name in expected if name not in found]
     surplus = sorted(found.difference(expected))
     if missing or surplus:
-        lacks = f"{missing[0]} and {len(missing) - 1} more are missing" if missing[1:] else f"{missing[:1]} is missing"
-        has = f"{surplus[0]} is not one of them" if surplus else ""
-        facts = "; ".join(fact for fact in (lacks if missing else "", has) if fact)
+        faults = [*_counted(missing, "missing"), *_counted(surplus, "not of them")]
         raise DataError(
             f"{folder} must hold the {card.images} images {expected[0]} to {expected[-1]}: "
-            f"found {len(found)}, {facts}. Restore them, or fetch the dataset again."
+            f"found {len(found)}, {'; '.join(faults)}. Restore them, or fetch the dataset again."
         )
     return Traverse(card.name, [folder / name for name in expected]), np.array(numbers, dtype=np.float64)
+
+
+def _counted(names: list[str], what: str) -> list[str]:
+    """Say what the first of some files is, and how many more of its kind there are; nothing where there is none."""
+    if len(names) > 1:
+        return [f"{names[0]} and {len(names) - 1} more are {what}"]
+    return [f"{name} is {what}" for name in names]

@@ -5,7 +5,7 @@ same specification must give the same pixels on every machine. Rasterisers that 
 differ between drivers, and software ones (Mesa's, for one) between the SIMD widths of processors. Here:
 
 - what is random comes from raw words of a bit generator whose stream NumPy promises to keep;
-- arithmetic is on integers, or on float64 element by element with ``+ - * /``, square root, comparison and
+- arithmetic is on integers, or on float32 and float64 element by element with ``+ - * /``, square root, comparison and
   rounding down, which IEEE 754 defines to the last bit. There are no sines, powers or logarithms, no sums
   or products of matrices, whose order differs between machines, and nothing that a compiler may fuse;
 - OpenCV only fills integer shapes without anti-aliasing, enlarges 8-bit images by its bit-exact methods,

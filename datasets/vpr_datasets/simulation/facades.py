@@ -129,7 +129,7 @@ def paint_upper(dice: Dice, style: Style, width: float, lit: float = 0.3) -> Can
 
 
 def _shop(canvas: Canvas, dice: Dice, style: Style, x: float, width: float) -> None:
-    """A shop window full of things, with a sign above."""
+    """Fill a shop window with things, and put a sign above."""
     canvas.rect(x + 0.15, 0.4, width - 0.3, 2.1, tinted(dice, (104, 98, 88), 20), 150 + dice.below(90))
     for _ in range(int(width * 4)):
         left, low = dice.between(x + 0.2, x + width - 0.7), dice.pick((0.45, 1.0, 1.55))
@@ -144,7 +144,7 @@ def _shop(canvas: Canvas, dice: Dice, style: Style, x: float, width: float) -> N
 
 
 def _door(canvas: Canvas, dice: Dice, style: Style, x: float, width: float) -> None:
-    """Double doors with a lit transom."""
+    """Put in double doors with a lit transom."""
     middle, half = x + width / 2, min(width * 0.4, 1.1)
     colour = tinted(dice, dice.pick(ACCENTS), 12)
     canvas.rect(middle - half - 0.15, 0, 2 * half + 0.3, 2.8, style.trim)
@@ -158,7 +158,7 @@ def _door(canvas: Canvas, dice: Dice, style: Style, x: float, width: float) -> N
 
 
 def _vents(canvas: Canvas, dice: Dice, style: Style, x: float, width: float) -> None:
-    """A roller door or grating."""
+    """Close an opening with a roller door or a grating."""
     low, high = dice.pick(((0.0, 2.7), (1.6, 2.6), (0.3, 1.3)))
     colour = tinted(dice, (120, 124, 126), 30)
     canvas.rect(x + 0.2, low, width - 0.4, high - low, colour)
@@ -167,7 +167,7 @@ def _vents(canvas: Canvas, dice: Dice, style: Style, x: float, width: float) -> 
 
 
 def _mural(canvas: Canvas, dice: Dice, style: Style, x: float, width: float) -> None:
-    """A painted wall."""
+    """Cover a wall with a mural."""
     canvas.rect(x + 0.1, 0.3, width - 0.2, 2.8, tinted(dice, dice.pick(ACCENTS), 20))
     for _ in range(7):
         colour = tinted(dice, dice.pick(ACCENTS), 24)
@@ -179,7 +179,7 @@ def _mural(canvas: Canvas, dice: Dice, style: Style, x: float, width: float) -> 
 
 
 def _posters(canvas: Canvas, dice: Dice, style: Style, x: float, width: float) -> None:
-    """Bills stuck on a blank wall."""
+    """Stick bills on a blank wall."""
     for number in range(int((width - 0.4) / 0.75)):
         if dice.chance(0.75):
             left, low = x + 0.25 + number * 0.75, dice.between(1.0, 1.5)

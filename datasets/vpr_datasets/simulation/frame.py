@@ -12,7 +12,7 @@ from vpr_datasets.simulation.spec import SimulationSpec
 from vpr_datasets.simulation.stage import Slab, Stage, Walls
 from vpr_datasets.simulation.view import View, view_at
 
-REACH = 110.0
+REACH = 95.0
 """How far walls are drawn, in metres."""
 
 SLAB_REACH = 45.0
@@ -40,17 +40,13 @@ def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint
     traverse = spec.traverse(name)
     scene = build_scene(spec, name)
     view = view_at(spec, traverse, scene.course, index)
-    buffers = Buffers(
-        np.empty((spec.height, spec.width), dtype=np.uint32),
-        np.empty((spec.height, spec.width), dtype=np.float64),
-        scene.jitter,
-    )
-    draw_sky(buffers, view, scene.sky, RISE)
+    buffers = Buffers.empty(scene.jitter)
     draw_walls(buffers, view, _passers(scene, spec, index), REACH)
     draw_walls(buffers, view, scene.walls, REACH)
     draw_slab(buffers, view, scene.ground, REACH)
     for slab in _slabs_near(scene, view):
         draw_slab(buffers, view, slab, SLAB_REACH)
+    draw_sky(buffers, view, scene.sky, RISE)
     light = illuminate(buffers, view, scene.grid, traverse.light)
     return develop(light, traverse, Dice(spec.seed, traverse.seed, traverse.name, "sensor", index))
 

@@ -52,7 +52,7 @@ MATERIALS: dict[str, tuple[Colour, Callable[[Canvas, Dice], None]]] = {
     "concrete": ((176, 172, 162), _stones(2.0, 2.0, 10, 40)),
     "slabs": ((186, 178, 162), _stones(0.8, 0.8, 26, 44)),
     "large slabs": ((160, 164, 164), _stones(1.2, 2.4, 24, 48)),
-    "brick": ((164, 106, 82), _stones(0.25, 0.5, 36, 30)),
+    "brick": ((152, 112, 94), _stones(0.25, 0.5, 36, 30)),
     "boards": ((140, 108, 78), _stones(0.25, 20.0, 30, 60)),
     "cobbles": ((128, 124, 118), _stones(0.34, 0.34, 44, 44)),
     "tiles": ((206, 200, 188), _stones(0.6, 0.6, 22, 30)),
@@ -81,9 +81,7 @@ def paint_ground(seed: int, season: Season, course: Course, floors: list[Floor])
     half = np.full(knots, 2.0)
     for floor in floors:
         part = slice(*np.searchsorted(course.arc, (floor.start, floor.stop)).tolist())
-        middle[part], left[part], right[part] = (
-            names.index(name) for name in (floor.middle, floor.left, floor.right)
-        )
+        middle[part], left[part], right[part] = (names.index(name) for name in (floor.middle, floor.left, floor.right))
         half[part] = floor.half
     low, high = float(course.y.min()) - MARGIN, float(course.y.max()) + MARGIN
     length, width = (knots - 1) * GRID, high - low

@@ -31,9 +31,7 @@ class Job(BaseModel):
             path = self.folder / self.pattern.format(traverse=name, index=index)
             path.parent.mkdir(parents=True, exist_ok=True)
             image = render_frame(self.spec, name, index)
-            done, data = cv2.imencode(
-                path.suffix, image[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, self.spec.quality]
-            )
+            done, data = cv2.imencode(path.suffix, image[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, self.spec.quality])
             if not done:
                 raise OSError(f"could not encode {path}")
             path.write_bytes(data.tobytes())

@@ -75,9 +75,7 @@ def _cast_shadows(cells: NDArray[np.uint8], origin: Point, shades: list[Shade]) 
         for shade in shades:
             if shade.high > level:
                 lifts = max(shade.low - level, 0.0), shade.high - level
-                points = [
-                    (x + SUN[0] * lift, y + SUN[1] * lift) for lift in lifts for x, y in shade.outline
-                ]
+                points = [(x + SUN[0] * lift, y + SUN[1] * lift) for lift in lifts for x, y in shade.outline]
                 cv2.fillConvexPoly(cells[layer], _outline(points, origin), [AMBIENT["day"]])
 
 

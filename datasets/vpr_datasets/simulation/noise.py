@@ -45,6 +45,4 @@ def soften(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def box_sum(image: NDArray[np.uint8], radius: int) -> NDArray[np.int32]:
     """Sum an (H, W) uint8 image over squares of ``2 radius + 1`` pixels; (H, W) int32, exact."""
     side = 2 * radius + 1
-    return np.asarray(
-        cv2.boxFilter(image, cv2.CV_32S, (side, side), normalize=False, borderType=cv2.BORDER_REPLICATE)
-    )
+    return np.asarray(cv2.boxFilter(image, cv2.CV_32S, (side, side), normalize=False, borderType=cv2.BORDER_REPLICATE))

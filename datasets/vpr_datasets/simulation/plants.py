@@ -21,7 +21,8 @@ BARK: tuple[Colour, ...] = ((104, 86, 68), (84, 70, 58), (134, 118, 98), (70, 62
 def _roughen(canvas: Canvas, dice: Dice, cell: float, keep: int) -> None:
     """Eat holes into what is painted wherever noise exceeds ``keep``."""
     size = max(int(cell * canvas.density), 2)
-    canvas.ink[value_noise(dice, *canvas.ink.shape, size, 2) > keep] = 0
+    rows, columns = canvas.ink.shape
+    canvas.ink[value_noise(dice, rows, columns, size, 2) > keep] = 0
 
 
 def _crown(
@@ -29,7 +30,7 @@ def _crown(
 ) -> None:
     """Heap clumps of leaves in the ellipse of a box (x, y, width, height): dark below, light on top."""
     x, y, width, height = box
-    spots = []
+    spots: list[tuple[float, float]] = []
     while len(spots) < clumps:
         u, v = dice.between(-1, 1), dice.between(-1, 1)
         if u * u + v * v <= 1:
@@ -131,7 +132,8 @@ def vines(dice: Dice, season: Season, length: float, height: float) -> Canvas:
     for number in range(int(length / 2.4) + 1):
         canvas.rect(min(number * 2.4, length - 0.1), 0, 0.1, height, post)
     canvas.rect(0, height - 0.08, length, 0.08, post)
-    growth = value_noise(dice, *canvas.ink.shape, 50, 4) > 134
+    rows, columns = canvas.ink.shape
+    growth = value_noise(dice, rows, columns, 50, 4) > 134
     leaf = dice.pick(LEAVES[season])
     canvas.rgb[growth] = leaf
     canvas.ink[growth] = SURFACE

@@ -159,15 +159,19 @@ def person(dice: Dice) -> Canvas:
     skin, shirt = dice.pick(SKIN), tinted(dice, dice.pick(ACCENTS), 30)
     trousers = tinted(dice, dice.pick(((40, 46, 66), (52, 52, 54), (120, 104, 84), (90, 96, 110))), 14)
     stride = dice.between(0.05, 0.2)
-    canvas.polygon([(0.36, 0.9), (0.46, 0.9), (0.42 - stride, 0), (0.28 - stride, 0)], trousers)
-    canvas.polygon([(0.44, 0.9), (0.56, 0.9), (0.62 + stride, 0), (0.48 + stride, 0)], toned(trousers, 210))
-    canvas.rect(0.2, 0.78, 0.1, 0.62, toned(shirt, 220))
-    canvas.rect(0.6, 0.78, 0.1, 0.62, toned(shirt, 190))
-    canvas.polygon([(0.3, 0.85), (0.6, 0.85), (0.66, 1.48), (0.24, 1.48)], shirt)
-    canvas.disc(0.45, 1.66, 0.12, skin)
-    canvas.disc(0.45, 1.72, 0.11, dice.pick(((40, 32, 28), (110, 80, 50), (70, 66, 64))))
+    canvas.polygon([(0.36, 0.95), (0.47, 0.95), (0.41 - stride, 0.04), (0.31 - stride, 0.04)], trousers)
+    canvas.polygon([(0.44, 0.95), (0.55, 0.95), (0.6 + stride, 0.04), (0.5 + stride, 0.04)], toned(trousers, 210))
+    for foot in (0.28 - stride, 0.49 + stride):
+        canvas.rect(foot, 0, 0.17, 0.07, (50, 46, 44))
+    for shoulder, elbow, hand in ((0.3, 0.24, 0.3 - stride), (0.6, 0.66, 0.6 + stride)):
+        canvas.line(shoulder, 1.4, elbow, 1.12, 0.09, toned(shirt, 205))
+        canvas.line(elbow, 1.12, hand, 0.9, 0.08, skin)
+    canvas.polygon([(0.34, 0.9), (0.56, 0.9), (0.62, 1.38), (0.54, 1.5), (0.36, 1.5), (0.28, 1.38)], shirt)
+    canvas.rect(0.41, 1.46, 0.08, 0.12, toned(skin, 220))
+    canvas.disc(0.45, 1.67, 0.1, skin)
+    canvas.disc(0.45, 1.72, 0.09, dice.pick(((40, 32, 28), (110, 80, 50), (70, 66, 64))))
     if dice.chance(0.5):
-        canvas.rect(0.34, 1.0, 0.24, 0.42, toned(dice.pick(ACCENTS), 180))
+        canvas.rect(0.36, 1.02, 0.18, 0.38, toned(dice.pick(ACCENTS), 180))
     return canvas
 
 

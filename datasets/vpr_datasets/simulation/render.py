@@ -16,11 +16,10 @@ PATTERN = "{traverse}/Image{index:03d}.jpg"
 
 _MODULE = "vpr_datasets.simulation.worker"
 _KEPT_LINES = 12
+_MOST_WORKERS = 4  # each builds the scene for itself, which more of them would hardly repay
 
 
-def render(
-    spec: SimulationSpec, folder: Path, *, pattern: str = PATTERN, workers: int | None = None
-) -> None:
+def render(spec: SimulationSpec, folder: Path, *, pattern: str = PATTERN, workers: int | None = None) -> None:
     """Render every image of ``spec`` into ``folder``.
 
     The work is shared by processes that are started anew, not forked or re-imported from the caller's
@@ -35,7 +34,7 @@ def render(
     pattern
         Name of each file below ``folder``, with the fields ``traverse`` and ``index``.
     workers
-        Number of processes; by default one for each processor, four at most.
+        Number of processes; by default one for each processor that this process may use, four at most.
 
     Raises
     ------
@@ -46,7 +45,7 @@ def render(
     """
     check_pattern(pattern)
     if workers is None:
-        workers = min(os.cpu_count() or 1, 4)
+        workers = min(_processors(), _MOST_WORKERS)
     if workers < 1:
         raise ValueError(f"workers must be at least 1, got {workers}")
     total = spec.frames * len(spec.traverses)
@@ -67,6 +66,11 @@ def render(
             process.kill()
         for process in processes:
             process.wait()
+
+
+def _processors() -> int:
+    """Return how many processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _start(job: Job) -> subprocess.Popen[str]:
@@ -102,9 +106,7 @@ def _listen(process: subprocess.Popen[str], number: int, lines: "SimpleQueue[tup
     lines.put((number, None))
 
 
-def _follow(
-    processes: list[subprocess.Popen[str]], lines: "SimpleQueue[tuple[int, str | None]]", total: int
-) -> None:
+def _follow(processes: list[subprocess.Popen[str]], lines: "SimpleQueue[tuple[int, str | None]]", total: int) -> None:
     """Report progress until all workers are done; raise as soon as one has failed."""
     said: list[list[str]] = [[] for _ in processes]
     running = len(processes)

@@ -7,12 +7,13 @@ from vpr_datasets.simulation import props
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.facades import ACCENTS
 from vpr_datasets.simulation.ground import paint_ground
-from vpr_datasets.simulation.layout import lay_out, plain
+from vpr_datasets.simulation.layout import lay_out
 from vpr_datasets.simulation.lighting import Grid, light_grid
+from vpr_datasets.simulation.lots import plain
 from vpr_datasets.simulation.path import Course, lay_course
-from vpr_datasets.simulation.raster import Floats, jitter_pattern
+from vpr_datasets.simulation.raster import Singles, jitter_pattern
 from vpr_datasets.simulation.sky import paint_sky
-from vpr_datasets.simulation.spec import SimulationSpec, TraverseSpec
+from vpr_datasets.simulation.spec import Season, SimulationSpec, TraverseSpec
 from vpr_datasets.simulation.stage import Slab, Stage, Walls
 from vpr_datasets.simulation.texture import Texture
 
@@ -47,15 +48,14 @@ class Scene:
     sky: Texture
     grid: Grid
     movers: list[Mover]
-    jitter: Floats
+    jitter: Singles
 
 
 @lru_cache(maxsize=4)
-def _place(seed: int, season: str, course_length: float, curvature: float) -> tuple[Stage, Slab]:
-    spec_season = season
-    course = lay_course(seed, course_length, curvature, before=BEFORE, beyond=BEYOND)
-    stage = lay_out(seed, spec_season, course, course_length)
-    return stage, paint_ground(seed, spec_season, course, stage.floors[::-1])
+def _place(seed: int, season: Season, length: float, curvature: float) -> tuple[Stage, Slab]:
+    course = lay_course(seed, length, curvature, before=BEFORE, beyond=BEYOND)
+    stage = lay_out(seed, season, course, length)
+    return stage, paint_ground(seed, season, course, stage.floors[::-1])
 
 
 @lru_cache(maxsize=8)

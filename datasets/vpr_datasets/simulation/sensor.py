@@ -11,7 +11,7 @@ from vpr_datasets.simulation.lighting import CELL, LAYER, LAYERS, Grid
 from vpr_datasets.simulation.noise import box_sum, soften
 from vpr_datasets.simulation.raster import Buffers
 from vpr_datasets.simulation.spec import Light, TraverseSpec
-from vpr_datasets.simulation.texture import SKY
+from vpr_datasets.simulation.texture import SKY, SURFACE
 from vpr_datasets.simulation.view import View
 
 
@@ -31,8 +31,8 @@ class Exposure:
         Strength in 256ths of everything that glows by itself.
     noise
         Amplitude of the noise after a gain of one.
-    colour
-        How much colour is kept, in 256ths.
+    grey
+        Whether only brightness is recorded.
     """
 
     target: int
@@ -41,24 +41,30 @@ class Exposure:
     sky: int
     glow: int
     noise: int
-    colour: int
+    grey: bool
 
 
 EXPOSURES: dict[Light, Exposure] = {
-    "day": Exposure(108, 200, 420, 250, 0, 3, 256),
-    "dusk": Exposure(100, 256, 620, 190, 190, 9, 200),
-    "night": Exposure(126, 300, 1400, 90, 256, 10, 0),
+    "day": Exposure(108, 200, 420, 250, 0, 3, False),
+    "dusk": Exposure(100, 256, 620, 190, 190, 9, False),
+    "night": Exposure(126, 300, 1400, 90, 200, 9, True),
 }
 
 
 def illuminate(buffers: Buffers, view: View, grid: Grid, light: Light) -> NDArray[np.uint16]:
-    """Return the light that reaches the camera from every pixel, (H, W, 3) uint16, 65025 at most."""
+    """Return the light that reaches the camera from every pixel.
+
+    Returns
+    -------
+    (H, W, C) uint16
+        65025 at most; C is 3, or 1 where the camera records grey.
+    """
     exposure = EXPOSURES[light]
     # A step towards the camera keeps a wall from standing in its own shadow.
-    depth = np.maximum(buffers.depth - 0.35, 0.2)
+    depth = np.maximum(buffers.depth - np.float32(0.35), np.float32(0.2))
     ray_x, ray_y = view.rays
     rows = np.arange(view.height)[:, None] + 0.5
-    layer = depth * ((view.horizon - rows) * (1.0 / (view.focal * LAYER)))
+    layer = depth * ((view.horizon - rows) * (1.0 / (view.focal * LAYER))).astype(np.float32)
     layer += view.eye / LAYER
     layer += buffers.jitter[0]
     level = np.minimum(np.maximum(layer, 0.0), LAYERS - 1).astype(np.int64)
@@ -72,21 +78,31 @@ def illuminate(buffers: Buffers, view: View, grid: Grid, light: Light) -> NDArra
     ink = channels[..., 3]
     sky = ink == SKY
     lit[sky] = exposure.sky
-    result = np.multiply(channels[..., :3], lit[..., None], dtype=np.uint16)
+    surface = _luminance(channels)[..., None] if exposure.grey else channels[..., :3]
+    result = np.multiply(surface, lit[..., None], dtype=np.uint16)
     if exposure.glow:
-        table = np.arange(256, dtype=np.uint32) * np.uint32(exposure.glow)
-        table[:2] = 0
-        table[SKY] = 0
-        extra = (table * np.uint32(190) >> 8).astype(np.uint16)[ink]
-        result = np.minimum(result.astype(np.uint32) + extra[..., None], 65025).astype(np.uint16)
-    return result
+        table = (np.arange(256, dtype=np.uint32) * np.uint32(exposure.glow * 190) >> 8).astype(np.uint16)
+        table[[0, SURFACE, SKY]] = 0
+        extra: NDArray[np.uint16] = table[ink][..., None]
+        # Adding must not go round at the end of 16 bits.
+        np.minimum(result, np.uint16(65025) - extra, out=result)
+        result += extra
+    return np.asarray(result, dtype=np.uint16)
+
+
+def _luminance(channels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Turn (H, W, 4) texels into (H, W) brightness."""
+    grey = channels[..., 0] * np.uint16(77)
+    grey += channels[..., 1] * np.uint16(150)
+    grey += channels[..., 2] * np.uint16(29)
+    return (grey >> 8).astype(np.uint8)
 
 
 def _cells(
-    depth: NDArray[np.float64], ray: NDArray[np.float64], start: float, jitter: NDArray[np.float64], count: int
+    depth: NDArray[np.float32], ray: NDArray[np.float64], start: float, jitter: NDArray[np.float32], count: int
 ) -> NDArray[np.int64]:
     """Return which cell along one axis each pixel's surface lies in."""
-    place = depth * (ray * (1.0 / CELL))
+    place = depth * (ray * (1.0 / CELL)).astype(np.float32)
     place += jitter
     place += start / CELL
     return np.minimum(np.maximum(place, 0.0), count - 1).astype(np.int64)
@@ -96,17 +112,11 @@ def develop(light: NDArray[np.uint16], traverse: TraverseSpec, dice: Dice) -> ND
     """Turn light into the picture that the camera stores, (H, W, 3) uint8 RGB."""
     exposure = EXPOSURES[traverse.light]
     height, width = light.shape[:2]
-    if exposure.colour == 0:
-        grey = (
-            light[..., 0].astype(np.uint32) * np.uint32(77)
-            + light[..., 1].astype(np.uint32) * np.uint32(150)
-            + light[..., 2].astype(np.uint32) * np.uint32(29)
-        ) >> 8
-        light = grey.astype(np.uint16)[..., None]
-    mean = int(light[::4, ::4].astype(np.int64).sum()) * 16 // (light.size or 1) >> 8
+    metered = light[::4, ::4]
+    mean = int(metered.sum(dtype=np.int64)) // metered.size >> 8
     gain = min(max(exposure.target * 256 // max(mean, 1), exposure.least), exposure.most)
-    picture = np.minimum(light * np.float64(gain / 65536.0), 255.0).astype(np.uint8)
-    picture = _CURVE[picture]
+    answer = _CURVE[np.minimum(np.arange(65536, dtype=np.int64) * gain >> 16, 255)]
+    picture = answer.take(light)
     if exposure.glow:
         picture = _bloom(picture)
     picture = soften(picture)
@@ -115,7 +125,7 @@ def develop(light: NDArray[np.uint16], traverse: TraverseSpec, dice: Dice) -> ND
     noisy += _grain(dice, height, width, amplitude)[..., None]
     noisy -= (noisy * _vignette(height, width)[..., None]) >> 8
     picture = np.clip(noisy, 0, 255).astype(np.uint8)
-    if exposure.colour == 0:
+    if exposure.grey:
         return np.repeat(picture, 3, axis=2)
     return picture
 
@@ -143,8 +153,9 @@ def _bloom(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
 def _grain(dice: Dice, height: int, width: int, amplitude: int) -> NDArray[np.int16]:
     """Return (H, W) int16 noise: fine grain, and coarser blots as a telephone's noise filter leaves them."""
     fine = dice.bytes(height, width).astype(np.int16)
-    coarse = np.asarray(
-        cv2.resize(dice.bytes(height // 2, width // 2), (width, height), interpolation=cv2.INTER_LINEAR_EXACT)
+    coarse: NDArray[np.uint8] = np.asarray(
+        cv2.resize(dice.bytes(height // 2, width // 2), (width, height), interpolation=cv2.INTER_LINEAR_EXACT),
+        dtype=np.uint8,
     )
     fine += coarse
     fine -= 255

@@ -24,6 +24,8 @@ class TraverseSpec(BaseModel):
         Metres to the left (positive) or right (negative) of the middle of the path.
     eye_height
         Height of the camera above the ground in metres.
+    tilt
+        How far the camera looks up (positive) or down, as the tangent of the angle.
     pace_variation
         How far, in metres, the walker runs ahead of or falls behind the nominal place of a frame.
     shake
@@ -43,6 +45,7 @@ class TraverseSpec(BaseModel):
     season: Season = "summer"
     lateral: Annotated[float, Field(ge=-8, le=8, allow_inf_nan=False)] = 0.0
     eye_height: Annotated[float, Field(ge=0.5, le=3.2, allow_inf_nan=False)] = 1.6
+    tilt: Annotated[float, Field(ge=-0.3, le=0.3, allow_inf_nan=False)] = 0.0
     pace_variation: Annotated[float, Field(ge=0, le=5, allow_inf_nan=False)] = 0.5
     shake: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 1.0
     traffic: Annotated[float, Field(ge=0, le=1)] = 0.5

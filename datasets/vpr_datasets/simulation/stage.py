@@ -99,13 +99,9 @@ class Stage:
         facing: Facing = "front",
     ) -> None:
         """Put up a wall between two places (s, t)."""
-        self.walls.append(
-            Wall(self.course.point(*left), self.course.point(*right), low, high, texture, facing)
-        )
+        self.walls.append(Wall(self.course.point(*left), self.course.point(*right), low, high, texture, facing))
 
-    def cutout(
-        self, s: float, t: float, width: float, high: float, texture: Texture, *, low: float = 0.0
-    ) -> None:
+    def cutout(self, s: float, t: float, width: float, high: float, texture: Texture, *, low: float = 0.0) -> None:
         """Put up a cut-out that turns with the camera: a tree, a lamp, a person."""
         self.walls.append(Wall(self.course.point(s, t), (width / 2, 0.0), low, high, texture, "viewer"))
 
@@ -157,6 +153,10 @@ class Stage:
         outline = tuple(self.course.point(s + a * length / 2, t + b * width / 2) for a, b in places)
         self.shades.append(Shade(outline, low, high))
 
+    def half_width(self, s: float) -> float:
+        """Return half the width of the path at ``s``; the first floor that covers it counts."""
+        return next((floor.half for floor in self.floors if floor.start <= s < floor.stop), 2.2)
+
     def lamp(self, s: float, t: float, height: float, power: float) -> None:
         """Hang up a lamp."""
         self.lamps.append(Lamp(self.course.point(s, t), height, power))
@@ -194,8 +194,14 @@ class Walls:
         numbers = np.array(
             [(*wall.left, *wall.right, wall.low, wall.high) for wall in walls], dtype=np.float64
         ).reshape(-1, 6)
+        x0, y0, x1, y1, low, high = (np.ascontiguousarray(numbers[:, column]) for column in range(6))
         return cls(
-            *(np.ascontiguousarray(numbers[:, column]) for column in range(6)),
+            x0,
+            y0,
+            x1,
+            y1,
+            low,
+            high,
             np.array([wall.facing == "viewer" for wall in walls], dtype=np.bool_),
             np.array([wall.facing == "front" for wall in walls], dtype=np.bool_),
             tuple(wall.texture for wall in walls),

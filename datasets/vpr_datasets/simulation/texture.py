@@ -77,17 +77,24 @@ def _halve(rgb: Pixels, ink: Pixels, solid: bool) -> tuple[Pixels, Pixels]:
     height, width = ink.shape[0] // 2 * 2, ink.shape[1] // 2 * 2
     corners = [(slice(row, height, 2), slice(column, width, 2)) for row in (0, 1) for column in (0, 1)]
     if solid:
-        colour = sum((rgb[corner].astype(np.uint16) for corner in corners), start=np.uint16(2)) >> 2
-        glow = sum((ink[corner].astype(np.uint16) for corner in corners), start=np.uint16(0)) >> 2
-        return np.asarray(colour, dtype=np.uint8), np.asarray(glow, dtype=np.uint8)
-    opaque = [(ink[corner] > 0).astype(np.uint16) for corner in corners]
-    count = sum(opaque, start=np.uint16(0))
-    some = np.maximum(count, 1)
+        colours, inks = [rgb[corner] for corner in corners], [ink[corner] for corner in corners]
+        return (_total(colours) + np.uint16(2) >> 2).astype(np.uint8), (_total(inks) >> 2).astype(np.uint8)
+    opaque = [(ink[corner] > 0).astype(np.uint8) for corner in corners]
+    count = _total(opaque)
+    some = np.maximum(count, np.uint16(1))
     colours = [rgb[corner] * mask[..., None] for corner, mask in zip(corners, opaque, strict=True)]
-    colour = sum(colours, start=np.uint16(0)) // some[..., None]
-    glow = sum((ink[corner].astype(np.uint16) for corner in corners), start=np.uint16(0)) // some
+    colour = _total(colours) // some[..., None]
+    glow = _total([ink[corner] for corner in corners]) // some
     # Two covered texels of four cover the copy: twigs and railings keep their weight in the distance.
-    return np.asarray(colour, dtype=np.uint8), np.where(count >= 2, np.maximum(glow, 1), 0).astype(np.uint8)
+    return colour.astype(np.uint8), np.where(count >= 2, np.maximum(glow, 1), 0).astype(np.uint8)
+
+
+def _total(parts: list[Pixels]) -> NDArray[np.uint16]:
+    """Add up four arrays of uint8."""
+    total = parts[0].astype(np.uint16)
+    for part in parts[1:]:
+        total += part
+    return total
 
 
 class Canvas:
@@ -117,7 +124,7 @@ class Canvas:
         return min(max(floor(x * self.density + 0.5), -9999), 9999)
 
     def _row(self, y: float) -> int:
-        return self.ink.shape[0] - min(max(floor(y * self.density + 0.5), -9999), 9999)
+        return int(self.ink.shape[0]) - min(max(floor(y * self.density + 0.5), -9999), 9999)
 
     def area(self, x: float, y: float, width: float, height: float) -> tuple[slice, slice]:
         """Return the rows and columns of a rectangle given by its lower left corner, cut to the canvas."""
@@ -125,9 +132,7 @@ class Canvas:
         left, right = self._column(x), self._column(x + width)
         return slice(max(top, 0), max(bottom, 0)), slice(max(left, 0), max(right, 0))
 
-    def rect(
-        self, x: float, y: float, width: float, height: float, colour: Colour, ink: int = SURFACE
-    ) -> None:
+    def rect(self, x: float, y: float, width: float, height: float, colour: Colour, ink: int = SURFACE) -> None:
         """Fill a rectangle given by its lower left corner."""
         area = self.area(x, y, width, height)
         self.rgb[area] = colour
@@ -184,9 +189,9 @@ class Canvas:
 
     def speckle(self, dice: Dice, amount: int, cell: float = 0.0) -> None:
         """Make all colours lighter and darker by up to ``amount``, in blots of ``cell`` metres."""
-        shape = self.ink.shape
+        height, width = self.ink.shape
         size = max(floor(cell * self.density), 1)
-        noise = value_noise(dice, *shape, size, 3) if size > 1 else dice.bytes(*shape)
+        noise = value_noise(dice, height, width, size, 3) if size > 1 else dice.bytes(height, width)
         self.tint((noise.astype(np.int16) - 128) * np.int16(amount) >> 7)
 
     def tint(self, change: NDArray[np.int16]) -> None:
@@ -198,5 +203,5 @@ class Canvas:
         rgb = self.rgb.astype(np.uint32)
         # Paint in the open is never as pure as on the palette.
         grey = (rgb[..., 0] * 77 + rgb[..., 1] * 150 + rgb[..., 2] * 29) >> 8
-        rgb = (rgb * 11 + grey[..., None] * 5) * shade >> 12
-        return bake(np.minimum(rgb, 255).astype(np.uint8), self.ink)
+        muted = (rgb * 11 + grey[..., None] * 5) * np.uint32(shade) >> 12
+        return bake(np.minimum(muted, 255).astype(np.uint8), self.ink)

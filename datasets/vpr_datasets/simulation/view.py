@@ -1,6 +1,7 @@
 """Where the camera is and where it looks: the poses of a walk."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import floor, sqrt
 
 import numpy as np
@@ -41,7 +42,7 @@ class View:
     slope: NDArray[np.float64]
     horizon: NDArray[np.float64]
 
-    @property
+    @cached_property
     def rays(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """World direction (x, y) of each column, one metre deep; two (width,) float64."""
         ahead, side = self.forward
@@ -74,10 +75,10 @@ def view_at(spec: SimulationSpec, traverse: TraverseSpec, course: Course, index:
     yaw = shake * (0.07 * _wander((*key, "yaw"), index, 6) + jitter.between(-0.012, 0.012))
     ahead, side = ahead - yaw * side, side + yaw * ahead
     norm = sqrt(ahead * ahead + side * side)
-    pitch = shake * (0.045 * _wander((*key, "pitch"), index, 8) + jitter.between(-0.01, 0.01))
+    pitch = traverse.tilt + shake * (0.045 * _wander((*key, "pitch"), index, 8) + jitter.between(-0.01, 0.01))
     roll = shake * (0.012 * _wander((*key, "roll"), index, 5) + jitter.between(-0.006, 0.006))
     focal = spec.focal_length * spec.width
-    slope = (np.arange(spec.width) + 0.5 - spec.width / 2) / focal
-    horizon = (0.52 * spec.height + pitch * focal) + slope * (roll * focal)
+    slope: NDArray[np.float64] = (np.arange(spec.width, dtype=np.float64) + 0.5 - spec.width / 2) / focal
+    horizon: NDArray[np.float64] = (0.52 * spec.height + pitch * focal) + slope * (roll * focal)
     eye = traverse.eye_height + 0.03 * shake * jitter.between(-1, 1)
     return View(x, y, eye, (ahead / norm, side / norm), focal, spec.width, spec.height, slope, horizon)

@@ -1,6 +1,5 @@
 import numpy as np
 import pytest
-from hypothesis import settings
 from hypothesis import strategies as st
 
 from vpr_bench.metrics.answers import NEVER, Answers
@@ -48,7 +47,3 @@ def make():
         )
 
     return make
-
-
-settings.register_profile("metrics", deadline=None)
-settings.load_profile("metrics")

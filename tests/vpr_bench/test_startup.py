@@ -1,0 +1,55 @@
+"""Start-up is light: what only names things imports nothing that computes."""
+
+import subprocess
+import sys
+
+import pytest
+
+import vpr_bench
+
+HEAVY = {"cv2", "gymnasium", "matplotlib", "pandas", "scipy", "sklearn", "torch"}
+COMMAND = """
+from vpr_bench.cli import main
+try:
+    main()
+except SystemExit as end:
+    assert not end.code, end.code
+"""
+
+
+def heavy_after(code, *arguments):
+    """Run Python code in a fresh process and return which heavy packages it imported."""
+    script = f"import sys\n{code}\nprint('imported:', *sorted({HEAVY!r} & sys.modules.keys()))"
+    done = subprocess.run([sys.executable, "-c", script, *arguments], capture_output=True, text=True, timeout=60)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.splitlines()[-1].split()[1:]
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["list"], ["info", "gardens"]], ids=" ".join)
+def test_commands_that_only_name_things_import_nothing_heavy(arguments):
+    assert heavy_after(COMMAND, *arguments) == []
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import vpr_bench.types.protocol",
+        "from vpr_bench.method.build import METHODS; [entry.summary() for entry in METHODS.entries()]",
+        "from vpr_bench.dataset.card import DATASETS, as_card; assert 'gardens' in DATASETS.load_all(as_card)",
+        "import vpr_bench; vpr_bench.Traverse, vpr_bench.Match, vpr_bench.load_case",
+    ],
+    ids=["protocol", "methods", "cards", "package"],
+)
+def test_modules_that_only_name_things_import_nothing_heavy(code):
+    assert heavy_after(code) == []
+
+
+def test_the_check_sees_what_is_imported():
+    assert "cv2" in heavy_after("import vpr_baselines.photometry")
+
+
+def test_public_names_are_there_and_others_are_not():
+    for name in vpr_bench.__all__:
+        assert getattr(vpr_bench, name) is not None
+    with pytest.raises(AttributeError, match="no attribute 'Metods'"):
+        vpr_bench.Metods  # noqa: B018
