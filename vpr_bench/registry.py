@@ -19,12 +19,22 @@ from vpr_bench.errors import UsageError, closest
 T = TypeVar("T")
 
 
-def import_object(target: str) -> Any:
-    """Import what ``module:attribute`` names; whatever that raises is passed on."""
+def import_object(target: str, called: str) -> Any:
+    """Import what ``module:attribute`` names.
+
+    Raises
+    ------
+    UsageError
+        If that is not possible; ``called`` is what the message names.
+    """
     module, _, attribute = target.partition(":")
-    loaded: Any = importlib.import_module(module)
-    for part in attribute.split("."):
-        loaded = getattr(loaded, part)
+    try:
+        loaded: Any = importlib.import_module(module)
+        for part in attribute.split("."):
+            loaded = getattr(loaded, part)
+    except Exception as error:  # whatever a foreign module raises at import is its fault, not a crash
+        reason = f"{type(error).__name__}: {error}"
+        raise UsageError(f"{called} cannot be loaded from {target}: {reason}") from error
     return loaded
 
 
@@ -58,11 +68,7 @@ class Entry:
         UsageError
             If the module cannot be imported or has no such attribute; says why.
         """
-        try:
-            return import_object(self.target)
-        except Exception as error:  # whatever a foreign module raises at import is its fault, not a crash
-            reason = f"{type(error).__name__}: {error}"
-            raise UsageError(f"{self.name!r} ({self.origin}) cannot be loaded from {self.target}: {reason}") from error
+        return import_object(self.target, f"{self.name!r} ({self.origin})")
 
     def summary(self) -> str:
         """Return the first line of the docstring, read from the source without importing it ('' if none)."""

@@ -65,7 +65,13 @@ def test_an_object_is_named_by_its_module():
 
 
 def test_import_reaches_into_objects():
-    assert import_object("collections:OrderedDict.fromkeys")("a") == {"a": None}
+    assert import_object("collections:OrderedDict.fromkeys", "it")("a") == {"a": None}
+
+
+@pytest.mark.parametrize("target", ["no_such_module:x", "math:no_such_name", "math"])
+def test_what_cannot_be_imported_is_named(target):
+    with pytest.raises(UsageError, match="The loader of x cannot be loaded from"):
+        import_object(target, "The loader of x")
 
 
 @pytest.mark.parametrize("name", ["hogg", "no such:thing", "mod:", ":Class", "", "../x:y"])
@@ -112,7 +118,7 @@ def test_the_same_package_found_twice_is_no_duplicate():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert len(methods.entries()) == 1
-    assert methods.entry("hog").load() == import_object("math:pi")
+    assert methods.entry("hog").load() == import_object("math:pi", "pi")
 
 
 def test_a_broken_plug_in_is_left_out_with_one_warning_and_the_others_load(plugin):
@@ -125,7 +131,7 @@ def test_a_broken_plug_in_is_left_out_with_one_warning_and_the_others_load(plugi
 
 def test_a_plug_in_that_is_something_else_is_left_out_with_one_warning():
     def only_pi(loaded):
-        if loaded != import_object("math:pi"):
+        if loaded != import_object("math:pi", "pi"):
             raise UsageError("it is not pi")
         return loaded
 

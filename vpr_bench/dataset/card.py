@@ -20,7 +20,7 @@ class _Frozen(BaseModel):
 class TraverseCard(_Frozen):
     """One traverse: its name, how many images it has, and what its files' digest is in the known copy."""
 
-    name: str
+    name: str = Field(pattern=r"^[a-z0-9][a-z0-9._]*$")
     images: int = Field(gt=0)
     digest: Digest | None = None
     folder: str = Field("", description="inside the dataset's folder; by default the name")
@@ -97,7 +97,7 @@ class Card(_Frozen):
     def _names_exist(self) -> "Card":
         known = {traverse.name for traverse in self.traverses}
         pairs: list[ProtocolCard | Published] = [*self.protocols, *self.published]
-        for name in [name for pair in pairs for name in [*pair.references.split("+"), *pair.queries.split("+")]]:
+        for name in [name for pair in pairs for name in (pair.references, pair.queries)]:
             if name not in known:
                 raise ValueError(f"there is no traverse {name!r}. {closest(name, known)}")
         return self

@@ -97,7 +97,7 @@ def _rendered(card: Card) -> Path:
     from filelock import FileLock
 
     assert card.simulation is not None  # noqa: S101
-    renderer: Renderer = import_object(card.simulation.renderer)(card.simulation.options)
+    renderer: Renderer = import_object(card.simulation.renderer, f"The renderer of {card.id}")(card.simulation.options)
     folder = cache_root() / "simulated" / f"{card.id}-{renderer.fingerprint()}"
     if folder.is_dir():
         return folder

@@ -178,7 +178,7 @@ def load_traverse(card: Card, name: str, edition: str, folder: Path) -> tuple[Tr
     numbers measured on them may differ.
     """
     traverse_card = card.traverse(name)
-    loader = import_object(card.loader.function)
+    loader = import_object(card.loader.function, f"The loader of {card.id}")
     traverse, labels = loader(folder / traverse_card.path, traverse_card, **card.loader.options)
     digest = traverse_digest(traverse)
     if edition == "real" and traverse_card.digest not in (None, digest):

@@ -113,6 +113,17 @@ def test_fitting_again_forgets_the_former_map(walks):
     assert answers(method, walks["day_left"]) == answers(fresh, walks["day_left"])
 
 
+def test_a_cluster_holds_a_dozen_references_unless_told_otherwise(walks):
+    twice = Traverse("twice", [*walks["day_left"], *walks["day_left"]])
+    assert len(fit(twice).components_.clusters) == round(len(twice) / 12) == 2
+    assert len(fit(twice, n_clusters=5).components_.clusters) == 5
+
+
+def test_clusters_are_asked_for_in_one_way():
+    with pytest.raises(ValueError, match="not both"):
+        TwoStage(n_clusters=3, similarity=0.5)
+
+
 def test_clusters_follow_from_the_similarity(walks):
     assert len(fit(walks["day_left"][:4], similarity=-1).components_.clusters) == 1
     assert len(fit(walks["day_left"][:4], similarity=1).components_.clusters) == 4
