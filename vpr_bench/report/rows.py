@@ -62,6 +62,7 @@ class Row:
             "peak_memory_bytes": record.peak_memory,
             "seed": record.key.seed,
             "threads": record.key.threads,
+            "processor": record.machine.processor,
             "weights": record.key.weights,
             "folder": str(self.run.folder),
         }
