@@ -6,6 +6,7 @@ import json
 import math
 from collections.abc import Iterable, Sequence
 
+from rich.box import SIMPLE_HEAD
 from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
@@ -49,33 +50,60 @@ def published_for(card: Card, protocol: Protocol) -> list[Published]:
 
 
 def _table(protocol: Protocol, rows: Sequence[Row], published: Sequence[Published]) -> Table:
+    """Lay out one protocol, each row on two lines, so that it fits a narrow window."""
     metrics = list(rows[0].metrics)
     stages = [stage for stage in _STAGES if any(f"latency_{stage}_p50" in row.latency for row in rows)]
-    record = rows[0].run.record
-    title = f"{protocol}   {record.n_references} references, {record.n_queries} queries"
-    table = Table(title=Text(title), title_justify="left", title_style="bold", caption_justify="left")
-    table.add_column("method", overflow="fold")
+    records = [row.run.record for row in rows]
+    asked = max(record.n_queries for record in records)
+    title = Text(f"{protocol}  {records[0].n_references} references, {asked} queries")
+    table = Table(
+        title=title,
+        title_justify="left",
+        title_style="bold",
+        caption_justify="left",
+        box=SIMPLE_HEAD,
+        show_edge=False,
+        padding=(0, 1, 0, 0),
+        pad_edge=False,
+    )
+    table.add_column("method\nrun", overflow="fold", min_width=13)
     for metric in metrics:
-        table.add_column(metric, justify="right")
+        table.add_column(_broken(metric), justify="right")
     for stage in stages:
-        table.add_column(f"{stage} ms", justify="right")
+        table.add_column(f"{stage}\nms", justify="right")
     for row in rows:
         values = [_value(row, metric) for metric in metrics]
-        times = [_percentiles(row, stage) for stage in stages]
-        table.add_row(Text(row.method + (" (partial)" if row.partial else "")), *values, *times)
-    sources = list(dict.fromkeys(_source(one) for one in published if one.metric in metrics))
-    if sources:
+        table.add_row(_name(row), *values, *(_percentiles(row, stage) for stage in stages))
+    shown = [one for one in published if one.metric in metrics]
+    sources = list(dict.fromkeys(_source(one) for one in shown))
+    if shown:
         table.add_section()
-    for one in published:
-        if one.metric in metrics:
-            mark = f" [{sources.index(_source(one)) + 1}]"
-            values = [f"{one.value:.3f}" if metric == one.metric else "" for metric in metrics]
-            table.add_row(Text("published: " + one.method + mark), *values, *[""] * len(stages), style="dim")
-    threads = ", ".join(sorted({str(row.run.record.key.threads) for row in rows}))
-    notes = [f"ms: p50 / p95 per query, one at a time, {threads} threads, image already decoded"]
+        table.add_row("published:", style="dim")
+    for one in shown:
+        values = [f"{one.value:.3f}" if metric == one.metric else "" for metric in metrics]
+        table.add_row(Text(f"{one.method} [{sources.index(_source(one)) + 1}]"), *values, style="dim")
+    threads = " or ".join(sorted({str(record.key.threads) for record in records}))
+    notes = [f"ms: p50 over p95 per query, one at a time, threads: {threads}, image already decoded"]
+    if any(row.intervals for row in rows):
+        notes.append("below a value: its 95 % bootstrap interval over queries")
     notes += [f"[{number}] {source}" for number, source in enumerate(sources, 1)]
     table.caption = Text("\n".join(notes))
     return table
+
+
+def _name(row: Row) -> Text:
+    record = row.run.record
+    partial = f" (partial: {record.n_queries} queries)" if row.partial else ""
+    return Text.assemble(row.method + partial, "\n", (record.key.digest()[:6], "dim"))
+
+
+def _broken(metric: str) -> str:
+    """Break a metric's id into two lines where that makes its column narrower."""
+    for mark in ("@", "_"):
+        head, found, tail = metric.rpartition(mark)
+        if found and len(metric) > len("pr_auc"):
+            return f"{head}\n{found}{tail}"
+    return metric
 
 
 def _value(row: Row, metric: str) -> str:
@@ -85,14 +113,16 @@ def _value(row: Row, metric: str) -> str:
     if metric not in row.intervals:
         return f"{value:.3f}"
     low, high = row.intervals[metric]
-    return f"{value:.3f}\n{low:.3f}–{high:.3f}"
+    return f"{value:.3f}\n{_short(low)}–{_short(high)}"
+
+
+def _short(value: float) -> str:
+    return f"{value:.2f}".removeprefix("0")
 
 
 def _percentiles(row: Row, stage: str) -> str:
     name = f"latency_{stage}_p"
-    if name + "50" not in row.latency:
-        return ""
-    return f"{row.latency[name + '50']:.1f} / {row.latency[name + '95']:.1f}"
+    return f"{row.latency[name + '50']:.1f}\n{row.latency[name + '95']:.1f}" if name + "50" in row.latency else ""
 
 
 def _source(one: Published) -> str:

@@ -20,7 +20,7 @@ def test_shows_measured_and_published_numbers_apart(stored):
     text = _text([score_run(stored())])
     assert "gardens/day_left-night_right@0f" in text
     assert "0.500" in text
-    assert "published: two-stage, 7 components [1]" in text
+    assert "two-stage, 7 components [1]" in text
     assert "radius not stated" in text
 
 
@@ -37,7 +37,7 @@ def test_published_numbers_never_stand_beside_simulated_ones(stored):
 
 
 def test_partial_run_says_so(stored):
-    assert "hog (partial)" in _text([score_run(stored(limit=4))])
+    assert "hog (partial: 4 queries)" in _text([score_run(stored(limit=4))])
 
 
 def test_undefined_is_a_dash(stored):
@@ -46,7 +46,7 @@ def test_undefined_is_a_dash(stored):
 
 def test_intervals_stand_below_the_value(stored):
     assert "0.500" in (text := _text([score_run(stored(), ["recall@1"], resamples=100)]))
-    assert "0.000–1.000" in text
+    assert ".00–1.00" in text
 
 
 def test_markup_in_a_name_is_text(stored):
@@ -66,6 +66,15 @@ def test_csv_has_one_column_per_number(stored):
     assert float(lines[0]["recall@1_low"]) < 0.5
     assert lines[1]["recall@1"] == ""
     assert float(lines[0]["latency_total_p50"]) == 30.0
+
+
+def test_fits_a_narrow_window(stored):
+    console = Console(width=80, record=True, file=io.StringIO())
+    console.print(render_tables([score_run(stored())], {"gardens": find_card("gardens")}))
+    text = console.export_text()
+    for whole in ("recall", "_matched", "0.500", "30.0", "two-stage"):
+        assert whole in text
+    assert "…" not in text
 
 
 def test_no_rows():
