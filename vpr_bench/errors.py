@@ -5,7 +5,12 @@ what to do next, in one or two lines. The command line prints the message and ex
 """
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pydantic import ValidationError
 
 
 class VprBenchError(Exception):
@@ -24,6 +29,36 @@ class DataError(VprBenchError):
     """Images, weights or stored results are missing or damaged (exit code 3)."""
 
     exit_code = 3
+
+
+class DamagedError(DataError):
+    """A stored run is not as it was left."""
+
+
+@contextmanager
+def blaming(what: str, kind: type[VprBenchError] = VprBenchError) -> Iterator[None]:
+    """Turn whatever foreign code raises inside the ``with`` block into a one-line error about ``what``.
+
+    Examples
+    --------
+    >>> with blaming("The method 'x' failed"):
+    ...     {}["key"]
+    Traceback (most recent call last):
+    vpr_bench.errors.VprBenchError: The method 'x' failed: KeyError: 'key'
+    """
+    try:
+        yield
+    except VprBenchError:
+        raise
+    except Exception as error:
+        raise kind(f"{what}: {type(error).__name__}: {error}") from error
+
+
+def first_fault(error: "ValidationError") -> str:
+    """Say where a description first goes wrong, and how."""
+    first = error.errors()[0]
+    where = ".".join(str(part) for part in first["loc"])
+    return f"{where}: {first['msg']}" if where else first["msg"]
 
 
 def closest(name: str, known: Iterable[str]) -> str:

@@ -38,6 +38,10 @@ def import_object(target: str, called: str) -> Any:
     return loaded
 
 
+NOT_INSTALLED = "not installed"
+"""Origin of what is named by ``module:Class`` and comes from no package."""
+
+
 class PluginWarning(UserWarning):
     """A third-party plug-in cannot be used; the others go on."""
 
@@ -72,16 +76,41 @@ class Entry:
 
     def summary(self) -> str:
         """Return the first line of the docstring, read from the source without importing it ('' if none)."""
+        node = self._definition()
+        return (ast.get_docstring(node) or "").partition("\n")[0] if node else ""
+
+    def parameters(self) -> dict[str, str]:
+        """Return the constructor's parameters with their defaults, read from the source without importing it."""
+        node = self._definition()
+        body = node.body if isinstance(node, ast.ClassDef) else []
+        for part in body:
+            if isinstance(part, ast.FunctionDef) and part.name == "__init__":
+                arguments = [*part.args.args[1:], *part.args.kwonlyargs]
+                required = len(part.args.args) - 1 - len(part.args.defaults)
+                defaults = [None] * required + [*part.args.defaults, *part.args.kw_defaults]
+                return {one.arg: _written(default) for one, default in zip(arguments, defaults, strict=True)}
+        fields = (part for part in body if isinstance(part, ast.AnnAssign) and isinstance(part.target, ast.Name))
+        return {
+            ast.unparse(field.target): _written(field.value)
+            for field in fields
+            if not ast.unparse(field.annotation).startswith("ClassVar")
+        }
+
+    def _definition(self) -> ast.ClassDef | ast.FunctionDef | None:
         module_name, _, attribute = self.target.partition(":")
         try:
             spec = importlib.util.find_spec(module_name)
             tree = ast.parse(Path(spec.origin).read_text("utf-8")) if spec and spec.origin else None
         except Exception:  # finding a module runs its package's __init__, which may raise anything
-            return ""
+            return None
         for node in tree.body if tree else []:
             if isinstance(node, ast.ClassDef | ast.FunctionDef) and node.name == attribute:
-                return (ast.get_docstring(node) or "").partition("\n")[0]
-        return ""
+                return node
+        return None
+
+
+def _written(default: ast.expr | None) -> str:
+    return "required" if default is None else ast.unparse(default)
 
 
 class Registry(Generic[T]):
@@ -107,7 +136,7 @@ class Registry(Generic[T]):
         found: dict[str, list[Entry]] = {}
         for point in self._find(group=self.group):
             origin = f"{point.dist.name} {point.dist.version}" if point.dist else "unknown package"
-            entry = Entry(point.name, point.value, origin)
+            entry = Entry(point.name, f"{point.module}:{point.attr}", origin)
             same_name = found.setdefault(point.name, [])
             if entry not in same_name:  # one package can be found twice on the path
                 same_name.append(entry)
@@ -135,7 +164,7 @@ class Registry(Generic[T]):
             raise UsageError(self._duplicate(name, claims))
         module, colon, attribute = name.partition(":")
         if colon and all(part.isidentifier() for part in [*module.split("."), *attribute.split(".")]):
-            return Entry(name, name, "not installed")
+            return Entry(name, name, NOT_INSTALLED)
         raise UsageError(f"There is no {self.noun} {name!r}. {closest(name, self._found)}")
 
     def load_all(self, check: Callable[[Any], T]) -> dict[str, T]:

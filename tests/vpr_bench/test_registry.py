@@ -180,3 +180,20 @@ def test_the_installed_plug_ins_are_found():
     assert {"hog", "twostage"} <= {entry.name for entry in methods.entries()}
     assert methods.entry("hog").origin.startswith("vpr-bench ")
     assert all(entry.summary() for entry in methods.entries() if entry.origin.startswith("vpr-bench "))
+
+
+def test_parameters_are_read_without_importing(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    (tmp_path / "heavy_plugin.py").write_text(
+        "raise ImportError('must not be imported')\n"
+        "@dataclass\n"
+        "class Fields:\n"
+        "    version: ClassVar[str] = '1'\n"
+        "    size: int\n"
+        "    kind: str = 'cosine'\n"
+        "class Plain:\n"
+        "    def __init__(self, depth=5, *, wide: bool = True): ...\n"
+    )
+    assert Entry("a", "heavy_plugin:Fields", "x").parameters() == {"size": "required", "kind": "'cosine'"}
+    assert Entry("a", "heavy_plugin:Plain", "x").parameters() == {"depth": "5", "wide": "True"}
+    assert Entry("a", "heavy_plugin:Nothing", "x").parameters() == {}

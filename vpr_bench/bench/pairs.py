@@ -2,7 +2,6 @@
 
 import os
 import platform
-import sys
 import time
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
@@ -10,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import psutil
 from numpy.typing import NDArray
 
 from vpr_bench.metrics.pairs import MAX_THREADS, pr_auc_pairs
@@ -96,14 +96,12 @@ def _measure(n_queries: int, dimensions: int, radius: float, seed: int) -> dict[
 def _peak_rss_bytes() -> int:
     """Return the most memory this process has held.
 
-    Where Linux tells it, it is read from there: ``getrusage`` would count the parent before the ``exec`` too.
+    Linux and Windows tell it; elsewhere it is what the process holds now.
     """
     status = Path("/proc/self/status")
     if status.exists():
         for line in status.read_text().splitlines():
             if line.startswith("VmHWM:"):
                 return int(line.split()[1]) * 1024
-    import resource  # not on every platform
-
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return peak if sys.platform == "darwin" else peak * 1024
+    memory = psutil.Process().memory_info()
+    return int(getattr(memory, "peak_wset", memory.rss))

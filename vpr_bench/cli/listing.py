@@ -76,7 +76,7 @@ def _line(facts: dict[str, Any]) -> str:
 
 def _describe(name: str) -> dict[str, Any]:
     from vpr_bench.dataset.card import DATASETS, as_card
-    from vpr_bench.method.build import METHODS, describe_parameters
+    from vpr_bench.method.build import METHODS
 
     methods = {entry.name for entry in METHODS.entries()}
     datasets = {entry.name for entry in DATASETS.entries()}
@@ -84,7 +84,7 @@ def _describe(name: str) -> dict[str, Any]:
         return _describe_card(as_card(DATASETS.entry(name).load()), DATASETS.entry(name).origin)
     if name in methods or ":" in name:
         entry = METHODS.entry(name)
-        parameters = [{"parameter": key, "default": value} for key, value in describe_parameters(entry).items()]
+        parameters = [{"parameter": key, "default": value} for key, value in entry.parameters().items()]
         return {
             "method": name,
             "summary": entry.summary(),

@@ -1,6 +1,8 @@
 """``vpr-bench run``: methods on datasets."""
 
+import sys
 from itertools import product
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
@@ -77,6 +79,7 @@ def run(
 
     Runs are stored; what is stored already is shown, not run again, and what was interrupted is continued.
     """
+    from vpr_bench.method.build import build_method
     from vpr_bench.report.curve import draw_curve
     from vpr_bench.report.rows import HEADLINE
     from vpr_bench.runner.run import RunOptions
@@ -89,13 +92,17 @@ def run(
     failures = []
     try:
         with progress_bars():
-            methods = _build(method, param or [], seed)
-            for case, built in product(_load(dataset, protocol, edition, scoring), methods):
+            methods = _parameters(method, param or [])
+            for name, given in methods.items():
+                build_method(name, given, seed)  # so that a typing error costs no time
+            for case, (name, given) in product(_load(dataset, protocol, edition, scoring), methods.items()):
                 try:
-                    stored = _run_one(case, built, store, options)
+                    # A new one each time: what it did on another protocol must not change its answers.
+                    stored = _run_one(case, build_method(name, given, seed), store, options)
                     scored = scoring.rows(stored, case.protocol)
-                    draw_curve(scored, stored.folder)
                     rows += scored
+                    if overwrite != "never":
+                        draw_curve(scored, stored.folder)
                 except VprBenchError as error:
                     complain(str(error))
                     failures.append(error.exit_code)
@@ -107,10 +114,10 @@ def run(
         raise typer.Exit(max(failures))
 
 
-def _build(names: list[str], assignments: list[str], seed: int) -> list["BuiltMethod"]:
-    """Make every method before anything runs, so that a typing error costs no time."""
-    from vpr_bench.method.build import build_method
-
+def _parameters(names: list[str], assignments: list[str]) -> dict[str, dict[str, str]]:
+    """Sort ``--param`` by method."""
+    if any(":" in name for name in names):
+        sys.path.append(str(Path.cwd()))  # a console script does not find modules in the current folder
     parameters: dict[str, dict[str, str]] = {name: {} for name in names}
     for assignment in assignments:
         target, equals, value = assignment.partition("=")
@@ -121,14 +128,14 @@ def _build(names: list[str], assignments: list[str], seed: int) -> list["BuiltMe
             raise UsageError(f"{assignment!r} is for the method {owner!r}, which is not run. {closest(owner, names)}")
         for name in [owner] if dot else names:
             parameters[name][parameter] = value
-    return [build_method(name, parameters[name], seed) for name in dict.fromkeys(names)]
+    return parameters
 
 
 def _load(datasets: list[str], protocols: list[str] | None, edition: str, scoring: "Scoring") -> list["Case"]:
     """Load every case, and say where the images come from."""
     from vpr_bench.dataset.card import find_card
     from vpr_bench.dataset.folders import data_root
-    from vpr_bench.dataset.load import Request, load_case
+    from vpr_bench.dataset.load import Request, check_radius, load_case
 
     cases = []
     for name in datasets:
@@ -139,7 +146,7 @@ def _load(datasets: list[str], protocols: list[str] | None, edition: str, scorin
         for pairing in pairings:
             case = load_case(name, pairing, edition, scoring.radii[0] if scoring.radii else None, scoring.unmatched)
             for radius in scoring.radii or []:
-                case.check_radius(radius)
+                check_radius(case.reference_labels, case.protocol.with_radius(radius))
             cases.append(case)
         dataset = cases[-1].protocol.dataset
         if cases[-1].protocol.edition == "simulated" and edition == "auto" and ":" not in name:
@@ -153,12 +160,11 @@ def _load(datasets: list[str], protocols: list[str] | None, edition: str, scorin
 
 
 def _run_one(case: "Case", built: "BuiltMethod", store: "RunStore", options: "RunOptions") -> "StoredRun":
+    from vpr_bench.runner.run import find_run, run_key
     from vpr_bench.runner.run import run as run_method
-    from vpr_bench.runner.run import run_key
 
-    folder = store.folder(run_key(case, built, options))
-    known = folder.exists()
-    say(f"{built.label} on {case.protocol}: " + ("stored already" if known else "running"))
-    stored = run_method(case, built, store, options)
+    found = find_run(store, run_key(case, built, options), options.overwrite)
+    say(f"{built.label} on {case.protocol}: {'stored already' if found else 'running'}")
+    stored = found or run_method(case, built, store, options)
     say(f"{built.label} on {case.protocol}: {stored.folder}")
     return stored

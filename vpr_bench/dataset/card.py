@@ -2,11 +2,11 @@
 
 import tomllib
 from importlib.resources.abc import Traversable
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from vpr_bench.errors import DataError, UsageError, closest
+from vpr_bench.errors import DataError, UsageError, closest, first_fault
 from vpr_bench.registry import Registry
 from vpr_bench.types.protocol import Protocol, Unit, Unmatched
 
@@ -96,6 +96,9 @@ class Card(_Frozen):
     @model_validator(mode="after")
     def _names_exist(self) -> "Card":
         known = {traverse.name for traverse in self.traverses}
+        pairings = [(protocol.references, protocol.queries) for protocol in self.protocols]
+        if len(known) < len(self.traverses) or len(set(pairings)) < len(pairings):
+            raise ValueError("two traverses or two protocols have the same name")
         pairs: list[ProtocolCard | Published] = [*self.protocols, *self.published]
         for name in [name for pair in pairs for name in (pair.references, pair.queries)]:
             if name not in known:
@@ -114,9 +117,7 @@ class Card(_Frozen):
         try:
             return cls.model_validate(tomllib.loads(file.read_text("utf-8")))
         except ValidationError as error:
-            first = error.errors()[0]
-            where = ".".join(str(part) for part in first["loc"]) or "the card"
-            raise DataError(f"The card {file} is not valid: {where}: {first['msg']}.") from None
+            raise DataError(f"The card {file} is not valid: {first_fault(error)}.") from None
         except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
             raise DataError(f"The card {file} cannot be read: {error}.") from None
 
@@ -165,7 +166,7 @@ def find_card(dataset: str) -> Card:
     UsageError
         If there is no such dataset; the closest one is suggested.
     """
-    return as_card(DATASETS.entry(dataset).load())
-
-
-Edition = Literal["auto", "real", "simulated"]
+    card = as_card(DATASETS.entry(dataset).load())
+    if card.id != dataset:
+        raise UsageError(f"The dataset {dataset!r} has a card with the id {card.id!r}: both must be the same.")
+    return card

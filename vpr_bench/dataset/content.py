@@ -1,6 +1,9 @@
 """Digests of what a traverse's files contain, so that a result says which images it was measured on."""
 
 import hashlib
+import json
+from collections.abc import Iterable
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,11 +26,18 @@ def traverse_digest(traverse: Traverse) -> str:
     return f"sha256:{listing.hexdigest()}"
 
 
-def case_digest(traverses: list[str], labels: list[NDArray[np.float64]]) -> str:
-    """Return one digest over several traverses' digests and their place labels."""
-    total = hashlib.sha256("\n".join(traverses).encode())
-    for array in labels:
-        total.update(np.ascontiguousarray(array, dtype="<f8").tobytes())
+def case_digest(parts: Iterable[tuple[Traverse, NDArray[np.float64], str]]) -> str:
+    """Return one digest over traverses, each with its place labels and :func:`traverse_digest`.
+
+    The order of the images and what is done to them after decoding count too: a loader that is mended makes
+    another case of the same files.
+    """
+    total = hashlib.sha256()
+    for traverse, labels, digest in parts:
+        names = [source.name if isinstance(source, Path) else str(source.shape) for source in traverse.sources]
+        convert = getattr(traverse.convert, "__qualname__", repr(traverse.convert))
+        total.update(json.dumps([digest, names, convert, labels.shape]).encode())
+        total.update(np.ascontiguousarray(labels, dtype="<f8").tobytes())
     return f"sha256:{total.hexdigest()}"
 
 

@@ -7,8 +7,9 @@ from typing import Protocol
 
 from vpr_bench.dataset.card import Card
 from vpr_bench.dataset.folders import cache_root, data_root
-from vpr_bench.errors import DataError, UsageError
+from vpr_bench.errors import DataError, UsageError, blaming
 from vpr_bench.files.disk import disk_errors
+from vpr_bench.files.lock import held
 from vpr_bench.registry import import_object
 
 EDITIONS = ("auto", "real", "simulated")
@@ -94,19 +95,17 @@ def resolve_edition(card: Card, edition: str) -> tuple[str, Path]:
 
 def _rendered(card: Card) -> Path:
     """Return the folder of the simulated edition; render it once, whole or not at all."""
-    from filelock import FileLock
-
     assert card.simulation is not None  # noqa: S101
-    renderer: Renderer = import_object(card.simulation.renderer, f"The renderer of {card.id}")(card.simulation.options)
+    make = import_object(card.simulation.renderer, f"The renderer of {card.id}")
+    with blaming(f"The renderer of {card.id} refuses the card's description", DataError):
+        renderer: Renderer = make(card.simulation.options)
     folder = cache_root() / "simulated" / f"{card.id}-{renderer.fingerprint()}"
     if folder.is_dir():
         return folder
-    with disk_errors(folder):
-        folder.parent.mkdir(parents=True, exist_ok=True)
-        lock = folder.with_name(folder.name + ".lock")
-        lock.touch()  # what cannot be made is an error now; a lock would wait for it for ever
-        with FileLock(lock):
-            if not folder.is_dir():
+    lock = folder.with_name(folder.name + ".lock")
+    with held(lock, f"Waiting for another process that renders {card.id}"):
+        if not folder.is_dir():
+            with blaming(f"The simulated images of {card.id} cannot be rendered", DataError), disk_errors(folder):
                 _render_into(renderer, folder)
     return folder
 

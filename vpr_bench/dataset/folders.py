@@ -19,7 +19,7 @@ def data_root() -> Path:
     """
     named = os.environ.get(DATA_VARIABLE)
     if named:
-        root = Path(named).expanduser().resolve()
+        root = Path(os.path.expanduser(named)).resolve()  # noqa: PTH111 - Path's raises where there is no such user
         if not root.is_dir():
             raise DataError(f"{DATA_VARIABLE} names {root}, which is not a folder. Create it or unset the variable.")
         return root

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from vpr_bench.dataset.card import Card, find_card
 from vpr_bench.dataset.content import case_digest, traverse_digest
 from vpr_bench.dataset.editions import resolve_edition
-from vpr_bench.errors import UsageError
+from vpr_bench.errors import DataError, UsageError, blaming
 from vpr_bench.registry import import_object
 from vpr_bench.types.ground_truth import GroundTruth
 from vpr_bench.types.protocol import Protocol, Unit, Unmatched
@@ -53,21 +53,22 @@ class Case:
         """Which references show the same place as each query, at the protocol's radius."""
         return GroundTruth.from_radius(self.query_labels, self.reference_labels, self.protocol.radius)
 
-    def check_radius(self, radius: float) -> None:
-        """Refuse a radius that makes every answer right.
 
-        Raises
-        ------
-        UsageError
-            If it reaches from one end of the map to the other.
-        """
-        labels, unit = self.reference_labels, self.protocol.unit
-        extent = float(np.ptp(labels, axis=0).max()) if len(labels) > 1 else float("inf")
-        if radius >= extent:
-            raise UsageError(
-                f"The radius {radius:g}{unit} reaches over the whole map ({extent:g}{unit} from end to end): "
-                "every answer would be right. Give a smaller one."
-            )
+def check_radius(reference_labels: NDArray[np.float64], protocol: Protocol) -> None:
+    """Refuse a radius that makes every answer right.
+
+    Raises
+    ------
+    UsageError
+        If it reaches from one end of the map to the other.
+    """
+    several = len(reference_labels) > 1
+    extent = float(np.ptp(reference_labels, axis=0).max()) if several else float("inf")
+    if protocol.radius >= extent:
+        raise UsageError(
+            f"The radius {protocol.radius:g}{protocol.unit} reaches over the whole map "
+            f"({extent:g}{protocol.unit} from end to end): every answer would be right. Give a smaller one."
+        )
 
 
 def load_case(
@@ -165,9 +166,9 @@ def load_from(card: Card, protocol: Protocol, folder: Path) -> Case:
     """
     references, reference_labels, reference_digest = load_traverse(card, protocol.references, protocol.edition, folder)
     queries, query_labels, query_digest = load_traverse(card, protocol.queries, protocol.edition, folder)
-    digest = case_digest([reference_digest, query_digest], [reference_labels, query_labels])
+    digest = case_digest([(references, reference_labels, reference_digest), (queries, query_labels, query_digest)])
     case = Case(protocol, references, queries, reference_labels, query_labels, digest, folder)
-    case.check_radius(protocol.radius)
+    check_radius(reference_labels, protocol)
     return case
 
 
@@ -179,7 +180,8 @@ def load_traverse(card: Card, name: str, edition: str, folder: Path) -> tuple[Tr
     """
     traverse_card = card.traverse(name)
     loader = import_object(card.loader.function, f"The loader of {card.id}")
-    traverse, labels = loader(folder / traverse_card.path, traverse_card, **card.loader.options)
+    with blaming(f"The loader of {card.id} failed on {name}", DataError):
+        traverse, labels = loader(folder / traverse_card.path, traverse_card, **card.loader.options)
     digest = traverse_digest(traverse)
     if edition == "real" and traverse_card.digest not in (None, digest):
         warnings.warn(

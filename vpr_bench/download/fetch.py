@@ -1,7 +1,7 @@
 """A dataset's folder or a single file, fetched once, however many processes ask for it at once."""
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 from vpr_bench.download.archive import extract_archive
@@ -10,7 +10,7 @@ from vpr_bench.download.members import Limits
 from vpr_bench.errors import DataError
 from vpr_bench.files.digest import check_digest, parse_digest, sha256_of_file
 from vpr_bench.files.disk import DiskError, disk_errors
-from vpr_bench.progress import task
+from vpr_bench.files.lock import held
 
 
 def fetch_archive(
@@ -63,10 +63,9 @@ def fetch_archive(
             download(url, archive, sha256=sha256, max_bytes=limits.max_bytes)
         try:
             extract_archive(archive, target, check=check, limits=limits)
-        except DiskError:
-            raise  # with the archive kept, there is less to do when there is room
-        except DataError:
-            archive.unlink(missing_ok=True)
+        except DataError as error:
+            if sha256 is None or not isinstance(error, DiskError):  # else it is verified and used when there is room
+                archive.unlink(missing_ok=True)
             raise
         archive.unlink(missing_ok=True)
     return folder
@@ -123,22 +122,7 @@ def _is_verified(archive: Path, sha256: str | None) -> bool:
     return sha256 is not None and archive.is_file() and sha256_of_file(archive) == parse_digest(sha256)
 
 
-@contextmanager
-def _alone(target: Path) -> Iterator[None]:
+def _alone(target: Path) -> AbstractContextManager[None]:
     """Keep other processes from fetching the same thing, or wait for the one that does."""
-    from filelock import FileLock, Timeout
-
-    with disk_errors(target):
-        target.parent.mkdir(parents=True, exist_ok=True)
-        lock_file = target.with_name(f".{target.name}.lock")
-        lock_file.touch()  # where no file can be made, FileLock may wait for ever
-        lock = FileLock(lock_file)
-        try:
-            lock.acquire(timeout=0)
-        except Timeout:
-            with task(f"Waiting for another process that is fetching {target.name}"):
-                lock.acquire(poll_interval=0.2)
-    try:
-        yield
-    finally:
-        lock.release()
+    lock = target.with_name(f".{target.name}.lock")
+    return held(lock, f"Waiting for another process that is fetching {target.name}")

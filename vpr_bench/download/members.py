@@ -112,6 +112,8 @@ def _relative_path(member: Member) -> PurePosixPath:
         problem = "a backslash in a name"
     elif path.is_absolute() or re.match(r"[A-Za-z]:", name):
         problem = "an absolute path"
+    elif ":" in name or any(part != part.rstrip(". ") for part in path.parts if part != ".."):
+        problem = "a name that some systems take for another one"
     elif ".." in path.parts:
         problem = "a path that leads out of its folder"
     elif not path.parts and member.kind == "file":

@@ -1,5 +1,6 @@
 """From a name and parameters to a method, and back to what stands in the result."""
 
+import contextlib
 import dataclasses
 import hashlib
 import inspect
@@ -11,9 +12,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from vpr_bench.errors import UsageError, closest
+from vpr_bench.errors import UsageError, blaming, closest
 from vpr_bench.method.interfaces import Method, Weighted
-from vpr_bench.registry import Entry, Registry
+from vpr_bench.registry import NOT_INSTALLED, Entry, Registry
 
 METHODS: Registry[type[Method]] = Registry("vpr_bench.methods", "method")
 
@@ -27,7 +28,8 @@ class BuiltMethod:
     id : str
         Registered name or ``module:Class``.
     version : str
-        The class's ``version``, else a digest of its source file, so that edited code is not taken for the same.
+        The class's ``version``, else a digest of its package's source, so that edited code is not taken for the
+        same.
     parameters : dict
         Every constructor parameter with its value.
     weights : str or None
@@ -75,24 +77,18 @@ def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: i
         if parameter not in known:
             raise UsageError(f"The method {name!r} has no parameter {parameter!r}. {closest(parameter, known)}")
     typed = {key: _convert(name, factory, key, value) for key, value in given.items()}
-    try:
-        method = factory(**typed)
-    except (TypeError, ValueError) as error:
-        raise UsageError(f"The method {name!r} refuses its parameters: {error}") from error
+    with blaming(f"The method {name!r} cannot be made"):
+        try:
+            method = factory(**typed)
+        except (TypeError, ValueError) as error:
+            raise UsageError(f"The method {name!r} refuses its parameters: {error}") from error
     values = known | typed
     _check_json(name, values)
-    weights = method.weights_digest() if isinstance(method, Weighted) else None
+    with blaming(f"The weights of {name!r} cannot be found"):
+        weights = method.weights_digest() if isinstance(method, Weighted) else None
     changed = [f"{key}={value}" for key, value in values.items() if key != "seed" and value != known[key]]
     label = f"{entry.name}({', '.join(changed)})" if changed else entry.name
     return BuiltMethod(entry.name, _version(entry, factory), values, weights, label, method)
-
-
-def describe_parameters(entry: Entry) -> dict[str, str]:
-    """Return each parameter of a method with its default, as text."""
-    return {
-        name: "required" if default is inspect.Parameter.empty else repr(default)
-        for name, default in _defaults(entry.load()).items()
-    }
 
 
 def _defaults(factory: Any) -> dict[str, Any]:
@@ -110,13 +106,23 @@ def _convert(method: str, factory: Any, parameter: str, value: Any) -> Any:
     from pydantic import PydanticUserError, TypeAdapter, ValidationError
 
     try:
-        hint = typing.get_type_hints(factory.__init__, include_extras=True).get(parameter, Any)
-        return TypeAdapter(hint).validate_python(value)
-    except (NameError, PydanticUserError):  # a hint that only a type checker understands
+        hints = typing.get_type_hints(factory.__init__, include_extras=True)
+        adapter = TypeAdapter(hints.get(parameter, _type_of(_defaults(factory)[parameter])))
+    except (AttributeError, NameError, TypeError, PydanticUserError):  # a hint that only a type checker understands
         return value
+    try:
+        return adapter.validate_python(value)
     except ValidationError as error:
+        if isinstance(value, str):  # null, lists and mappings, as the command line must write them
+            with contextlib.suppress(ValidationError):
+                return adapter.validate_json(value)
         reason = error.errors()[0]["msg"]
         raise UsageError(f"The parameter {parameter!r} of {method!r}: {reason}. Got {value!r} instead.") from None
+
+
+def _type_of(default: Any) -> Any:
+    """Guess the type of a parameter without a hint from its default."""
+    return type(default) if isinstance(default, bool | int | float | str) else Any
 
 
 def _check_json(method: str, values: Mapping[str, Any]) -> None:
@@ -131,7 +137,22 @@ def _version(entry: Entry, factory: Any) -> str:
     declared = getattr(factory, "version", None)
     if isinstance(declared, str):
         return declared
-    source = getattr(sys.modules.get(factory.__module__), "__file__", None)
-    if source is None:
-        return entry.origin
-    return "source:" + hashlib.sha256(Path(source).read_bytes()).hexdigest()[:16]
+    sources = _sources(factory.__module__)
+    if not sources and entry.origin == NOT_INSTALLED:
+        raise UsageError(
+            f"The source of {entry.name!r} cannot be found, so that edits would pass unnoticed: "
+            "give the class an attribute version = '1'."
+        )
+    digest = hashlib.sha256()
+    for file in sources:
+        digest.update(file.read_bytes())
+    return f"source:{digest.hexdigest()[:16]}" if sources else entry.origin
+
+
+def _sources(module: str) -> list[Path]:
+    """Return the files that a method's behaviour may depend on: its package's, or its module's alone."""
+    top = sys.modules.get(module.partition(".")[0])
+    folders = [Path(folder) for folder in getattr(top, "__path__", ())]
+    files = sorted(file for folder in folders for file in folder.rglob("*.py"))
+    alone = getattr(sys.modules.get(module), "__file__", None)
+    return files or ([Path(alone)] if alone else [])

@@ -90,7 +90,8 @@ def bootstrap_difference(
     Raises
     ------
     ValueError
-        If the two are not on the same queries under the same policy.
+        If the two do not have as many queries, with and without a match, or differ in policy. That they are the
+        same queries is the caller's to know.
     """
     if first.unmatched != second.unmatched or not np.array_equal(first.has_match, second.has_match):
         raise ValueError("a paired comparison needs two runs on the same queries under the same policy")

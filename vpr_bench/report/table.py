@@ -19,7 +19,7 @@ _STAGES = ("encode", "match", "rerank", "total")
 
 
 def render_tables(rows: Sequence[Row], cards: dict[str, Card]) -> RenderableType:
-    """Lay rows out as one table per protocol, because numbers of different protocols are never ranked together.
+    """Lay rows out as one table per protocol, images and number of queries: only such numbers are ever ranked.
 
     Published numbers for the same pairing stand below the measured ones, grey, on the real edition only.
 
@@ -31,8 +31,9 @@ def render_tables(rows: Sequence[Row], cards: dict[str, Card]) -> RenderableType
         Dataset id to card, for published numbers; datasets without one show none.
     """
     tables: list[RenderableType] = []
-    for protocol in dict.fromkeys(row.protocol for row in rows):
-        same = [row for row in rows if row.protocol == protocol]
+    for alike in dict.fromkeys(map(_comparable, rows)):
+        same = [row for row in rows if _comparable(row) == alike]
+        protocol = same[0].protocol
         card = cards.get(protocol.dataset)
         tables.append(_table(protocol, same, published_for(card, protocol) if card else []))
     return Group(*tables)
@@ -54,8 +55,8 @@ def _table(protocol: Protocol, rows: Sequence[Row], published: Sequence[Publishe
     metrics = list(rows[0].metrics)
     stages = [stage for stage in _STAGES if any(f"latency_{stage}_p50" in row.latency for row in rows)]
     records = [row.run.record for row in rows]
-    asked = max(record.n_queries for record in records)
-    title = Text(f"{protocol}  {records[0].n_references} references, {asked} queries")
+    size = f"{records[0].n_references} references, {records[0].n_queries} queries"
+    title = Text(f"{protocol}  {size}{' (partial)' if rows[0].partial else ''}")
     table = Table(
         title=title,
         title_justify="left",
@@ -91,10 +92,14 @@ def _table(protocol: Protocol, rows: Sequence[Row], published: Sequence[Publishe
     return table
 
 
-def _name(row: Row) -> Text:
+def _comparable(row: Row) -> tuple[str, str, int]:
+    """Return what rows of one table share: the protocol, the images, and how many queries were asked."""
     record = row.run.record
-    partial = f" (partial: {record.n_queries} queries)" if row.partial else ""
-    return Text.assemble(row.method + partial, "\n", (record.key.digest()[:6], "dim"))
+    return str(row.protocol), record.key.dataset_digest, record.n_queries
+
+
+def _name(row: Row) -> Text:
+    return Text.assemble(row.method + (" (partial)" if row.partial else ""), "\n", (row.run.folder.name[:6], "dim"))
 
 
 def _broken(metric: str) -> str:
@@ -110,7 +115,7 @@ def _value(row: Row, metric: str) -> str:
     value = row.metrics[metric]
     if math.isnan(value):
         return "–"
-    if metric not in row.intervals:
+    if metric not in row.intervals or any(map(math.isnan, row.intervals[metric])):
         return f"{value:.3f}"
     low, high = row.intervals[metric]
     return f"{value:.3f}\n{_short(low)}–{_short(high)}"

@@ -7,11 +7,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_bench.errors import DataError, blaming
 from vpr_bench.files.atomic import read_arrays, write_arrays
 from vpr_bench.types.match import Match
 
 _FIRST_STAGES = ("decode", "encode", "match", "rerank")
-_SECONDS = "seconds."  # what the names of timing arrays start with in a checkpoint
+SECONDS = "seconds."
+"""What the names of timing arrays start with, so that a stage may be called anything."""
 
 
 @dataclass
@@ -48,16 +50,15 @@ class AnswerTable:
         return {"queries": np.array(queries, dtype=np.int64), "indices": indices, "scores": scores}
 
     def timing_arrays(self) -> dict[str, NDArray[np.generic]]:
-        """Return one (n,) float64 array of seconds per stage, rows as in :meth:`match_arrays`."""
+        """Return ``seconds.<stage>`` (n,) float64 for each stage, rows as in :meth:`match_arrays`."""
         names = {name for row in self.seconds.values() for name in row}
         ordered = [name for name in _FIRST_STAGES if name in names] + sorted(names.difference(_FIRST_STAGES))
         rows = [self.seconds[query] for query in sorted(self.seconds)]
-        return {name: np.array([row.get(name, 0.0) for row in rows]) for name in ordered}
+        return {SECONDS + name: np.array([row.get(name, 0.0) for row in rows]) for name in ordered}
 
     def save(self, path: Path) -> None:
         """Write everything into one file, to continue from."""
-        timings = {_SECONDS + name: column for name, column in self.timing_arrays().items()}
-        write_arrays(path, {**self.match_arrays(), **timings})
+        write_arrays(path, {**self.match_arrays(), **self.timing_arrays()})
 
     @classmethod
     def load(cls, path: Path, k: int) -> "AnswerTable":
@@ -70,9 +71,10 @@ class AnswerTable:
         """
         table = cls(k)
         arrays = read_arrays(path, "queries", "indices", "scores")
-        columns = {name[len(_SECONDS) :]: array for name, array in arrays.items() if name.startswith(_SECONDS)}
-        for row, query in enumerate(arrays["queries"].tolist()):
-            answered = arrays["indices"][row] >= 0
-            match = Match(arrays["indices"][row][answered], arrays["scores"][row][answered])
-            table.add(query, match, {name: float(column[row]) for name, column in columns.items()})
+        columns = {name[len(SECONDS) :]: array for name, array in arrays.items() if name.startswith(SECONDS)}
+        with blaming(f"{path} is damaged", DataError):
+            for row, query in enumerate(arrays["queries"].tolist()):
+                answered = arrays["indices"][row] >= 0
+                match = Match(arrays["indices"][row][answered], arrays["scores"][row][answered])
+                table.add(query, match, {name: float(column[row]) for name, column in columns.items()})
         return table

@@ -7,8 +7,10 @@ from typing import Any
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
-from vpr_bench.errors import DataError
+from vpr_bench.errors import DamagedError, DataError, UsageError, first_fault
+from vpr_bench.files.disk import disk_errors
 from vpr_bench.runner.machine import Machine
+from vpr_bench.types.protocol import Protocol
 
 SCHEMA_VERSION = 1
 
@@ -58,7 +60,8 @@ class RunRecord(BaseModel):
     fit_seconds : float
         Wall time of fitting, decoding included.
     peak_memory : dict
-        Largest resident memory in bytes while fitting and while matching.
+        Largest resident memory in bytes while fitting and while matching, of the whole process: libraries, and what
+        earlier runs in it left behind, count too.
     files : dict
         ``sha256:…`` of each array file beside it.
     """
@@ -85,19 +88,26 @@ def read_record(path: Path) -> RunRecord:
 
     Raises
     ------
+    DamagedError
+        If it is missing or damaged.
     DataError
-        If it is missing, damaged, or of a schema that this version does not know.
+        If it cannot be read, or is of a schema that this version does not know.
     """
+    if not path.exists():
+        raise DamagedError(f"{path} is missing.")
     try:
-        content = json.loads(path.read_text("utf-8"))
-    except (OSError, ValueError) as error:
-        raise DataError(f"{path} is missing or damaged: {error}.") from None
+        with disk_errors(path, "read"):
+            content = json.loads(path.read_text("utf-8"))
+    except ValueError as error:
+        raise DamagedError(f"{path} is damaged: {error}.") from None
     found = content.get("schema_version") if isinstance(content, dict) else None
-    if found != SCHEMA_VERSION:
-        raise DataError(f"{path} has schema version {found!r}; this vpr-bench reads {SCHEMA_VERSION}.")
+    if isinstance(found, int) and found != SCHEMA_VERSION:
+        raise DataError(f"{path} has schema version {found}; this vpr-bench reads {SCHEMA_VERSION}.")
     try:
-        return RunRecord.model_validate(content)
+        record = RunRecord.model_validate(content)
+        Protocol.parse(record.protocol)
     except ValidationError as error:
-        first = error.errors()[0]
-        where = ".".join(str(part) for part in first["loc"])
-        raise DataError(f"{path} is damaged: {where}: {first['msg']}.") from None
+        raise DamagedError(f"{path} is damaged: {first_fault(error)}.") from None
+    except UsageError as error:
+        raise DamagedError(f"{path} is damaged: {error}") from None
+    return record

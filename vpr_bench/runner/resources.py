@@ -12,7 +12,10 @@ _PERIOD = 0.02  # seconds between two looks at the memory
 
 @contextmanager
 def limit_threads(threads: int) -> Iterator[None]:
-    """Hold BLAS, OpenMP, OpenCV and torch to ``threads`` threads inside the ``with`` block."""
+    """Hold BLAS, OpenMP, OpenCV and torch to ``threads`` threads inside the ``with`` block.
+
+    It reaches the libraries that are loaded when the block begins.
+    """
     from threadpoolctl import threadpool_limits
 
     torch, cv2 = sys.modules.get("torch"), sys.modules.get("cv2")

@@ -1,5 +1,7 @@
 """Where runs lie on disk: ``runs/<dataset>/<references>-<queries>/<method>/<hash>/``."""
 
+import itertools
+import re
 import shutil
 import warnings
 from collections.abc import Iterator
@@ -12,11 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_bench.errors import DataError
+from vpr_bench.dataset.load import check_radius
+from vpr_bench.errors import DamagedError, DataError
 from vpr_bench.files.atomic import read_arrays
 from vpr_bench.files.digest import sha256_of_file
-from vpr_bench.files.disk import disk_errors
-from vpr_bench.progress import task
+from vpr_bench.files.lock import held
+from vpr_bench.runner.answers import SECONDS
 from vpr_bench.runner.record import RunKey, RunRecord, read_record
 from vpr_bench.types.ground_truth import GroundTruth
 from vpr_bench.types.protocol import Protocol
@@ -49,13 +52,15 @@ class StoredRun:
 
         Raises
         ------
+        DamagedError
+            If something is missing or not as it was written.
         DataError
-            If something is missing or damaged.
+            If it was written by a version with another schema, or cannot be read.
         """
         record = read_record(folder / RECORD)
         for name, digest in record.files.items():
-            if sha256_of_file(folder / name) != digest:
-                raise DataError(
+            if not (folder / name).is_file() or sha256_of_file(folder / name) != digest:
+                raise DamagedError(
                     f"{folder / name} is damaged: it is not what run.json recorded. "
                     "Run the same command again to redo it."
                 )
@@ -86,14 +91,22 @@ class StoredRun:
         return self._matches["scores"].astype(np.float32, copy=False)
 
     def ground_truth(self, radius: float) -> GroundTruth:
-        """Return which references are right for the queries that were asked, at any radius."""
+        """Return which references are right for the queries that were asked, at any radius.
+
+        Raises
+        ------
+        UsageError
+            If the radius is negative, not a number, or reaches over the whole map.
+        """
         labels = read_arrays(self.folder / LABELS, "queries", "references")
+        check_radius(labels["references"], self.protocol.with_radius(radius))
         return GroundTruth.from_radius(labels["queries"][self.queries], labels["references"], radius)
 
     @cached_property
     def seconds(self) -> dict[str, NDArray[np.float64]]:
         """(n,) float64 seconds per stage: ``decode``, the method's own stages, and ``total`` without decode."""
-        return read_arrays(self.folder / TIMINGS, "total")
+        columns = read_arrays(self.folder / TIMINGS, SECONDS + "total")
+        return {name.removeprefix(SECONDS): column for name, column in columns.items()}
 
 
 @dataclass(frozen=True)
@@ -104,9 +117,7 @@ class RunStore:
 
     def folder(self, key: RunKey) -> Path:
         """Return where the run of this key lies, or will."""
-        # Windows allows no colon in a file name.
-        source, method = key.source.replace(":", "."), key.method.replace(":", ".")
-        return self.root / source / key.pairing / method / key.digest()
+        return self.root / _file_name(key.source) / key.pairing / _file_name(key.method) / key.digest()
 
     def find(self, key: RunKey) -> StoredRun | None:
         """Return the complete run of this key, None if there is none.
@@ -140,24 +151,10 @@ class RunStore:
         DataError
             If the store cannot be written to.
         """
-        from filelock import FileLock, Timeout
-
         folder = self.folder(key)
-        with disk_errors(folder.parent):
-            folder.parent.mkdir(parents=True, exist_ok=True)
-            note = folder.with_name(folder.name + ".lock")
-            note.touch()  # what cannot be made is an error now; a lock would wait for it for ever
-            lock = FileLock(note)
-            try:
-                lock.acquire(timeout=0)
-            except Timeout:
-                with task("Waiting for another process that does the same run"):
-                    lock.acquire()
-        try:
+        with held(folder.with_name(folder.name + ".lock"), "Waiting for another process that does the same run"):
             self._recover(folder)
             yield folder.with_name(folder.name + ".partial")
-        finally:
-            lock.release()
 
     def complete(self, key: RunKey) -> StoredRun:
         """Move the finished working folder into place, over an older run of the same key."""
@@ -170,11 +167,10 @@ class RunStore:
         return StoredRun.open(folder)
 
     def put_aside(self, key: RunKey) -> Path:
-        """Move a damaged run out of the way, without deleting it; return where it is."""
+        """Move a damaged run out of the way, without deleting anything; return where it is."""
         folder = self.folder(key)
-        aside = folder.with_name(folder.name + ".damaged")
-        shutil.rmtree(aside, ignore_errors=True)
-        return folder.replace(aside)
+        names = (folder.with_name(f"{folder.name}.damaged{number or ''}") for number in itertools.count())
+        return folder.replace(next(aside for aside in names if not aside.exists()))
 
     @staticmethod
     def _recover(folder: Path) -> None:
@@ -185,3 +181,8 @@ class RunStore:
                 shutil.rmtree(former)
             else:
                 former.replace(folder)
+
+
+def _file_name(name: str) -> str:
+    """Make a name that any system takes for one folder, whatever a plug-in is called; the hash keeps runs apart."""
+    return re.sub(r"[^A-Za-z0-9_.-]", ".", name).strip(".") or "unnamed"

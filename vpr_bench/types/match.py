@@ -13,7 +13,7 @@ class Match:
     Parameters
     ----------
     indices : (k,) integers
-        Reference indices, unique and not negative. A method may answer fewer than it was asked for.
+        Reference indices, unique and not negative. A method may answer fewer than it was asked for, or none.
     scores : (k,) floats
         Finite and non-increasing.
 
@@ -45,9 +45,7 @@ class Match:
                 "indices and scores of a match must both have shape (k,). "
                 f"Got {self.indices.shape} and {self.scores.shape} instead."
             )
-        if len(self.indices) == 0:
-            raise ValueError("a match must name at least one reference. Got none.")
-        if self.indices.min() < 0 or len(np.unique(self.indices)) != len(self.indices):
+        if np.any(self.indices < 0) or len(np.unique(self.indices)) != len(self.indices):
             raise ValueError(f"the indices of a match must be unique and not negative. Got {self.indices}.")
         if not np.isfinite(self.scores).all():
             raise ValueError(f"the scores of a match must be finite. Got {self.scores}.")
@@ -60,7 +58,7 @@ class Match:
 
     @classmethod
     def from_scores(cls, scores: ArrayLike, k: int, candidates: ArrayLike | None = None) -> "Match":
-        """Rank by score and keep the best ``k``; equal scores keep the order of the references.
+        """Rank by score and keep the best ``k``; equal scores keep the order they came in.
 
         Parameters
         ----------

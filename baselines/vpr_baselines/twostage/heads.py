@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from sklearn.linear_model import LogisticRegression
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,8 +39,6 @@ def train_head(descriptors: NDArray[np.float32], labels: NDArray[np.int64], clas
     penalty : float
         Inverse strength of the L2 penalty, scikit-learn's ``C``.
     """
-    from sklearn.linear_model import LogisticRegression
-
     if classes == 1:
         return LinearHead(np.zeros((1, descriptors.shape[1]), np.float32), np.zeros(1, np.float32))
     model = LogisticRegression(C=penalty, max_iter=300).fit(descriptors, labels)

@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from vpr_bench.errors import DataError
+from vpr_bench.errors import DataError, first_fault
 from vpr_datasets.simulation import SIMULATION_VERSION, SimulationSpec, render
 
 
@@ -29,9 +29,7 @@ class SimulatedEdition:
         try:
             self.spec = SimulationSpec.model_validate(options)
         except ValidationError as error:
-            first = error.errors()[0]
-            where = ".".join(str(part) for part in first["loc"])
-            raise DataError(f"The card's simulation is not valid: {where}: {first['msg']}.") from None
+            raise DataError(f"The card's simulation is not valid: {first_fault(error)}.") from None
 
     def fingerprint(self) -> str:
         """Return what changes whenever a pixel does: a digest of the description and the renderer's version."""

@@ -81,7 +81,7 @@ def test_simulated_images_are_announced(vpr_bench, tiny_dataset):
 
 def test_limit_is_marked(vpr_bench, tiny_dataset):
     done = vpr_bench(*TINY, "--limit", "3")
-    assert "(partial: 3 queries)" in done.out
+    assert "3 queries (partial)" in done.out
 
 
 def test_all_pairs_with_the_whole_ranking(vpr_bench, tiny_dataset):

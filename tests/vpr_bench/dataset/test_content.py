@@ -1,4 +1,5 @@
 import hashlib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -47,13 +48,19 @@ def test_a_missing_file_is_a_data_error(files):
 
 
 def test_the_digest_of_a_case_depends_on_traverses_and_labels():
-    labels = [np.arange(3.0), np.arange(3.0)]
-    digests = {
-        case_digest(["x", "y"], labels),
-        case_digest(["y", "x"], labels),
-        case_digest(["x", "z"], labels),
-        case_digest(["x", "y"], [np.arange(3.0), np.array([0, 1, 2.5])]),
+    labels = np.arange(3.0)
+    walk = Traverse("walk", [Path("Image2.jpg"), Path("Image10.jpg"), Path("Image1.jpg")])
+
+    def digest(x="x", y="y", labels=labels, walk=walk):
+        return case_digest([(walk, np.arange(3.0), x), (walk, labels, y)])
+
+    changed = {
+        digest(),
+        digest(x="y", y="x"),
+        digest(y="z"),
+        digest(labels=np.array([0, 1, 2.5])),
+        digest(walk=walk.subset([2, 0, 1])),  # the same files and labels, another order
+        digest(walk=Traverse("walk", walk.sources, convert=np.negative)),
     }
-    assert len(digests) == 4
-    as_stored_elsewhere = [np.arange(3, dtype=">f8"), np.arange(6.0)[::2] / 2]
-    assert case_digest(["x", "y"], as_stored_elsewhere) == case_digest(["x", "y"], labels)
+    assert len(changed) == 6
+    assert digest(labels=np.arange(6.0)[::2] / 2) == digest(labels=np.arange(3, dtype=">f8")) == digest()

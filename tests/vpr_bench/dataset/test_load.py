@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from vpr_bench.dataset.card import find_card
-from vpr_bench.dataset.load import DatasetWarning, Request, load_case, load_from, load_traverse
+from vpr_bench.dataset.load import DatasetWarning, Request, check_radius, load_case, load_from, load_traverse
 from vpr_bench.errors import DataError, UsageError
 
 REAL = "tiny/day_left-day_right@1f"
@@ -120,11 +120,11 @@ def test_a_radius_a_little_smaller_than_the_map_is_taken(tiny_dataset):
     assert load_case("tiny", radius=10.9).protocol.radius == 10.9
 
 
-def test_a_case_can_check_another_radius(tiny_dataset):
+def test_another_radius_can_be_checked(tiny_dataset):
     case = load_case("tiny")
-    case.check_radius(10)
+    check_radius(case.reference_labels, case.protocol.with_radius(10))
     with pytest.raises(UsageError, match="Give a smaller one"):
-        case.check_radius(11)
+        check_radius(case.reference_labels, case.protocol.with_radius(11))
 
 
 def test_the_digest_says_which_images_and_labels_it_was(tiny_dataset):

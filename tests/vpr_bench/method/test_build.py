@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from pydantic import Field
 
-from vpr_bench.errors import UsageError
-from vpr_bench.method.build import METHODS, build_method, describe_parameters
+from vpr_bench.errors import UsageError, VprBenchError
+from vpr_bench.method.build import METHODS, build_method
 from vpr_bench.registry import Entry
 from vpr_bench.types.match import Match
 
@@ -70,6 +70,11 @@ class MeanColour:
         return image.mean(axis=(0, 1), dtype=np.float32)
 
 
+class Free(Fitted):
+    def __init__(self, size=3, name="x", anything=None):
+        self.size = size
+
+
 class Half:
     def fit(self, references): ...
 
@@ -77,7 +82,7 @@ class Half:
 @pytest.fixture(autouse=True)
 def _registered(monkeypatch):
     """Register the methods of this file by their names in lower case."""
-    ours = {cls.__name__.lower(): cls for cls in (Typed, Picky, Plain, Hinted, MeanColour, Half)}
+    ours = {cls.__name__.lower(): cls for cls in (Typed, Picky, Plain, Hinted, MeanColour, Free, Half)}
     entries = {name: [Entry(name, f"plugins_of_this_test:{cls.__name__}", "test 1.0")] for name, cls in ours.items()}
     module = type(sys)("plugins_of_this_test")
     vars(module).update({cls.__name__: cls for cls in ours.values()})
@@ -189,13 +194,6 @@ def test_an_unknown_method_suggests_the_closest():
         build_method("twostag")
 
 
-def test_parameters_are_described_with_their_defaults():
-    described = describe_parameters(METHODS.entry("typed"))
-    assert described["count"] == "3" and described["kind"] == "'cosine'" and described["layers"] == "[1, 2]"
-    assert describe_parameters(METHODS.entry("picky")) == {"size": "required"}
-    assert describe_parameters(METHODS.entry("plain")) == {"depth": "5"}
-
-
 def test_the_version_is_the_declared_one_or_that_of_the_source(monkeypatch):
     assert re.fullmatch(r"source:[0-9a-f]{16}", build_method("typed").version)
     monkeypatch.setattr(Typed, "version", "7", raising=False)
@@ -259,5 +257,33 @@ def test_the_two_stage_system_refuses_what_it_cannot_use(parameters):
 
 @pytest.mark.parametrize("value", [float("nan"), np.float32(2), {1, 2}])
 def test_a_value_that_cannot_be_written_into_a_result_is_refused(value):
-    with pytest.raises(UsageError, match="'depth' of 'plain' cannot stand in a result"):
-        build_method("plain", {"depth": value})
+    with pytest.raises(UsageError, match="'anything' of 'free' cannot stand in a result"):
+        build_method("free", {"anything": value})
+
+
+def test_without_a_hint_the_default_tells_the_type():
+    parameters = {"size": "5", "name": "7", "anything": "null"}
+    assert build_method("free", parameters).parameters == {"size": 5, "name": "7", "anything": "null"}
+    with pytest.raises(UsageError, match="Got 'many' instead"):
+        build_method("free", {"size": "many"})
+
+
+def test_a_constructor_may_raise_anything(monkeypatch):
+    def fail(self, size=3, name="x", anything=None):
+        raise KeyError("gone")
+
+    monkeypatch.setattr(Free, "__init__", fail)
+    with pytest.raises(VprBenchError, match="'free' cannot be made: KeyError: 'gone'"):
+        build_method("free")
+
+
+def test_edited_helpers_make_another_version(tmp_path, monkeypatch):
+    monkeypatch.syspath_prepend(tmp_path)
+    package = tmp_path / "helped"
+    package.mkdir()
+    (package / "__init__.py").touch()
+    (package / "method.py").write_text("class M:\n    def fit(self, r): ...\n    def match(self, i, k): ...\n")
+    (package / "helper.py").write_text("x = 1\n")
+    first = build_method("helped.method:M").version
+    (package / "helper.py").write_text("x = 2\n")
+    assert build_method("helped.method:M").version != first

@@ -23,7 +23,11 @@ def stored(tmp_path):
         scores = np.array([[0.9, 0.5, 0.4, 0.1], [0.8, 0.5, 0.4, 0.1], [0.7, 0.5, 0.4, 0.1], [0.6, 0.5, 0.4, 0.1]])
         arrays = {
             "matches.npz": {"queries": np.arange(4), "indices": indices, "scores": scores.astype(np.float32)},
-            "timings.npz": {"decode": np.full(4, 0.5), "encode": np.full(4, 0.02), "total": np.full(4, 0.03)},
+            "timings.npz": {
+                "seconds.decode": np.full(4, 0.5),
+                "seconds.encode": np.full(4, 0.02),
+                "seconds.total": np.full(4, 0.03),
+            },
             "labels.npz": {"queries": np.arange(4.0), "references": np.arange(4.0)},
         }
         for name, content in arrays.items():

@@ -41,18 +41,18 @@ def test_latency_leaves_decoding_apart(stored):
 
 
 def test_as_dict_is_json_with_null_for_undefined(stored):
-    row = score_run(stored(), ["recall@1", "roc_auc"], radius=3)  # everything right: roc_auc is undefined
+    row = score_run(stored(), ["recall@1", "roc_auc"], radius=2)  # everything right: roc_auc is undefined
     assert math.isnan(row.metrics["roc_auc"])
     content = json.loads(json.dumps(row.as_dict(), allow_nan=False))
     assert content["metrics"] == {"recall@1": 1.0, "roc_auc": None}
-    assert content["protocol"] == "gardens/day_left-night_right@3f"
+    assert content["protocol"] == "gardens/day_left-night_right@2f"
 
 
 def test_unmatched_policy_is_written_in_the_protocol(stored):
     assert str(score_run(stored(), unmatched="reject").protocol).endswith("@0f~reject")
 
 
-@pytest.mark.parametrize("radius", [-1.0, float("nan")])
+@pytest.mark.parametrize("radius", [-1.0, float("nan"), 3.0])
 def test_bad_radius(stored, radius):
     with pytest.raises(UsageError, match="radius"):
         score_run(stored(), radius=radius)

@@ -37,11 +37,11 @@ def test_published_numbers_never_stand_beside_simulated_ones(stored):
 
 
 def test_partial_run_says_so(stored):
-    assert "hog (partial: 4 queries)" in _text([score_run(stored(limit=4))])
+    assert "hog (partial)" in _text([score_run(stored(limit=4))])
 
 
 def test_undefined_is_a_dash(stored):
-    assert "–" in _text([score_run(stored(), ["recall@1", "roc_auc"], radius=3)])
+    assert "–" in _text([score_run(stored(), ["recall@1", "roc_auc"], radius=2)])
 
 
 def test_intervals_stand_below_the_value(stored):
@@ -79,3 +79,15 @@ def test_fits_a_narrow_window(stored):
 
 def test_no_rows():
     assert json.loads(to_json([])) == []
+
+
+def test_images_that_differ_are_never_in_one_table(stored, monkeypatch):
+    first, second = score_run(stored()), score_run(stored(folder="b"))
+    assert _text([first, second]).count("4 references") == 1
+    other = second.run.record.key.model_copy(update={"dataset_digest": "sha256:" + "1" * 64})
+    object.__setattr__(second.run, "record", second.run.record.model_copy(update={"key": other}))
+    assert _text([first, second]).count("4 references") == 2
+
+
+def test_an_interval_that_is_undefined_is_left_out(stored):
+    assert "nan" not in _text([score_run(stored(), ["pr_auc_pairs"], resamples=20)])

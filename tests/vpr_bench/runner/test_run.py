@@ -7,6 +7,7 @@ import pytest
 from vpr_bench.errors import DataError, UsageError, VprBenchError
 from vpr_bench.runner.run import RunOptions, run
 from vpr_bench.runner.store import StoredRun, StoreWarning
+from vpr_bench.timing import stage
 from vpr_bench.types.match import Match
 
 
@@ -273,3 +274,88 @@ def test_record_says_how(case, store, built, mean_colour):
     assert record["key"]["seed"] == 3
     assert record["machine"]["threads"] == 1
     assert record["files"].keys() == {"matches.npz", "timings.npz", "labels.npz"}
+
+
+def test_a_run_of_a_newer_version_is_left_alone(case, store, built, mean_colour):
+    folder = run(case, built(mean_colour()), store).folder
+    record = json.loads((folder / "run.json").read_text())
+    (folder / "run.json").write_text(json.dumps(record | {"schema_version": 2}))
+    with pytest.raises(DataError, match="schema version 2"):
+        run(case, built(mean_colour()), store)
+    assert json.loads((folder / "run.json").read_text())["schema_version"] == 2
+
+
+def test_every_damaged_run_is_kept(case, store, built, mean_colour):
+    with pytest.warns(StoreWarning):
+        for _ in range(3):
+            folder = run(case, built(mean_colour()), store).folder
+            (folder / "matches.npz").write_bytes(b"")
+        run(case, built(mean_colour()), store)
+    assert len(list(folder.parent.glob("*.damaged*"))) == 3
+
+
+def test_map_that_cannot_be_loaded_is_fitted_again(case, store, built, mean_colour):
+    with pytest.raises(KeyboardInterrupt):
+        run(case, built(mean_colour(fail_after=8, error=KeyboardInterrupt)), store)
+    next(store.root.rglob("database.npy")).write_bytes(b"")
+    again = mean_colour()
+    with pytest.warns(StoreWarning, match="fitted again"):
+        run(case, built(again), store)
+    assert again.fits == 1
+
+
+def test_a_method_that_cannot_be_saved_is_named(case, store, built, mean_colour, monkeypatch):
+    def fail(self, folder):
+        raise TypeError("no way")
+
+    monkeypatch.setattr(mean_colour, "save", fail)
+    with pytest.raises(VprBenchError, match="'mean-colour' failed while saving its map"):
+        run(case, built(mean_colour()), store)
+
+
+def test_a_stage_may_be_called_anything(case, store, built):
+    class Stages:
+        def fit(self, references):
+            pass
+
+        def match(self, image, k):
+            with stage("file"), stage("allow_pickle"):
+                return Match([0], [1.0])
+
+    assert {"file", "allow_pickle", "total"} <= run(case, built(Stages()), store).seconds.keys()
+
+
+def test_to_answer_nothing_is_an_answer(case, store, built):
+    class Silent:
+        def fit(self, references):
+            pass
+
+        def match(self, image, k):
+            return Match([], [])
+
+    stored = run(case, built(Silent()), store)
+    assert (stored.indices == -1).all()
+    assert np.isneginf(stored.scores).all()
+
+
+def test_libraries_loaded_while_fitting_are_held_to_the_threads_too(case, store, built, monkeypatch):
+    import sys
+
+    import torch
+
+    before = torch.get_num_threads()
+    torch.set_num_threads(2)
+    seen = []
+
+    class Late:
+        def fit(self, references):
+            monkeypatch.setitem(sys.modules, "torch", torch)
+
+        def match(self, image, k):
+            seen.append(torch.get_num_threads())
+            return Match([0], [1.0])
+
+    monkeypatch.delitem(sys.modules, "torch")
+    run(case, built(Late()), store, RunOptions(threads=1))
+    torch.set_num_threads(before)
+    assert set(seen) == {1}

@@ -84,3 +84,12 @@ def test_object_arrays_are_not_unpickled(case, store, built, mean_colour):
     (stored.folder / "run.json").write_text(json.dumps(record))
     with pytest.raises(DataError, match="damaged"):
         StoredRun.open(stored.folder).ground_truth(1)
+
+
+@pytest.mark.parametrize("name", ["/etc/evil", "../../up", "hloc/netvlad", "a:b", ".."])
+def test_a_method_may_be_called_anything(case, store, built, mean_colour, name):
+    from dataclasses import replace
+
+    stored = run(case, replace(built(mean_colour()), id=name), store)
+    assert stored.folder.resolve().is_relative_to(store.root.resolve())
+    assert [found.folder for found in store.runs()] == [stored.folder]

@@ -18,7 +18,6 @@ def test_types_are_settled_and_the_input_is_copied():
     [
         ([0, 1], [0.5], "shape"),
         ([[0]], [[0.5]], "shape"),
-        ([], [], "at least one"),
         ([0.0], [0.5], "integers"),
         ([True], [0.5], "integers"),
         ([-1], [0.5], "not negative"),
@@ -47,3 +46,7 @@ def test_ranking_of_candidates_names_the_candidates():
 def test_ranking_refuses_what_cannot_be_ranked(scores, k):
     with pytest.raises(ValueError, match="at least 1"):
         Match.from_scores(scores, k)
+
+
+def test_a_method_may_answer_nothing():
+    assert len(Match([], [])) == 0
