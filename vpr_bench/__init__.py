@@ -5,10 +5,10 @@ a score, and the harness turns those answers into numbers that can be compared, 
 """
 
 from importlib import import_module
-from importlib.metadata import version
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    __version__: str
     from vpr_bench.dataset.load import load_case as load_case
     from vpr_bench.runner.run import run as run
     from vpr_bench.timing import stage as stage
@@ -16,8 +16,6 @@ if TYPE_CHECKING:
     from vpr_bench.types.match import Match as Match
     from vpr_bench.types.protocol import Protocol as Protocol
     from vpr_bench.types.traverse import Traverse as Traverse
-
-__version__ = version("vpr-bench")
 
 _LAZY = {
     "GroundTruth": "vpr_bench.types.ground_truth",
@@ -34,6 +32,10 @@ __all__ = ["GroundTruth", "Match", "Protocol", "Traverse", "__version__", "load_
 
 def __getattr__(name: str) -> Any:
     """Import public names when they are first used, so that start-up stays light."""
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("vpr-bench")
     if name in _LAZY:
         return getattr(import_module(_LAZY[name]), name)
     raise AttributeError(f"module 'vpr_bench' has no attribute {name!r}")

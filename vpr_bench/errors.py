@@ -50,8 +50,19 @@ def blaming(what: str, kind: type[VprBenchError] = VprBenchError) -> Iterator[No
         yield
     except VprBenchError:
         raise
-    except Exception as error:
-        raise kind(f"{what}: {type(error).__name__}: {error}") from error
+    except (Exception, SystemExit) as error:  # a plug-in that exits must not pass for a good end
+        raise kind(f"{what}: {type(error).__name__}: {one_line(error)}") from error
+
+
+def one_line(text: object) -> str:
+    r"""Write foreign text on one line, without what would move a terminal's cursor or change its colours.
+
+    Examples
+    --------
+    >>> one_line("two\nlines \x1b[31mred")
+    'two lines [31mred'
+    """
+    return "".join(mark for mark in " ".join(str(text).split()) if mark.isprintable())
 
 
 def first_fault(error: "ValidationError") -> str:

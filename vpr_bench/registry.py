@@ -14,7 +14,7 @@ from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from vpr_bench.errors import UsageError, closest
+from vpr_bench.errors import UsageError, blaming, closest
 
 T = TypeVar("T")
 
@@ -28,13 +28,10 @@ def import_object(target: str, called: str) -> Any:
         If that is not possible; ``called`` is what the message names.
     """
     module, _, attribute = target.partition(":")
-    try:
+    with blaming(f"{called} cannot be loaded from {target}", UsageError):
         loaded: Any = importlib.import_module(module)
         for part in attribute.split("."):
             loaded = getattr(loaded, part)
-    except Exception as error:  # whatever a foreign module raises at import is its fault, not a crash
-        reason = f"{type(error).__name__}: {error}"
-        raise UsageError(f"{called} cannot be loaded from {target}: {reason}") from error
     return loaded
 
 

@@ -2,6 +2,7 @@
 
 import os
 import sys
+from typing import NoReturn
 
 from vpr_bench.errors import VprBenchError
 
@@ -18,16 +19,30 @@ def main() -> None:
         from vpr_bench.cli.console import notes_on_stderr
 
         with notes_on_stderr():
-            app(prog_name="vpr-bench")
-    except VprBenchError as error:
-        _fail(str(error), error.exit_code)
+            code = app(prog_name="vpr-bench", standalone_mode=False)
     except KeyboardInterrupt:
         _fail("interrupted", INTERRUPTED)
+    except VprBenchError as error:
+        _fail(str(error), error.exit_code)
     except OSError as error:
         _fail(f"Cannot read or write {error.filename or 'a file'}: {error.strerror or error}.", 3)
+    except Exception as error:
+        code = getattr(error, "exit_code", 1)
+        if str(error) or not hasattr(error, "format_message"):  # else the help has been shown, and says it all
+            _fail(_explain(error), code)
+    sys.exit(code if isinstance(code, int) else 0)
 
 
-def _fail(message: str, exit_code: int) -> None:
+def _explain(error: Exception) -> str:
+    """Put into words what the command-line library refuses, and what we did not foresee."""
+    if hasattr(error, "format_message"):
+        return f"{error.format_message().rstrip('.')}. See `vpr-bench --help`."
+    if os.environ.get("VPR_BENCH_DEBUG"):
+        raise error
+    return f"unforeseen {type(error).__name__}: {error}. Set VPR_BENCH_DEBUG=1 to see where, and please report it."
+
+
+def _fail(message: str, exit_code: int) -> NoReturn:
     from vpr_bench.cli.console import complain
 
     complain(message)

@@ -25,12 +25,14 @@ def show(result: "RenderableType") -> None:
     """Print a result for people on stdout."""
     from rich.console import Console
 
-    Console(width=None if sys.stdout.isatty() else _WIDE, highlight=False).print(result)
+    terminal = sys.stdout is not None and sys.stdout.isatty()  # None where it was closed
+    Console(width=None if terminal else _WIDE, highlight=False).print(result)
 
 
 def write(text: str) -> None:
     """Print a result for programs on stdout, as it is."""
-    sys.stdout.write(text + "\n")
+    if sys.stdout is not None:
+        sys.stdout.write(text + "\n")
 
 
 def say(message: str) -> None:

@@ -1,5 +1,6 @@
 """``vpr-bench list`` and ``vpr-bench info``: what there is."""
 
+from contextlib import suppress
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
@@ -76,12 +77,14 @@ def _line(facts: dict[str, Any]) -> str:
 
 def _describe(name: str) -> dict[str, Any]:
     from vpr_bench.dataset.card import DATASETS, as_card
+    from vpr_bench.dataset.request import Request
     from vpr_bench.method.build import METHODS
 
     methods = {entry.name for entry in METHODS.entries()}
     datasets = {entry.name for entry in DATASETS.entries()}
-    if name in datasets:
-        return _describe_card(as_card(DATASETS.entry(name).load()), DATASETS.entry(name).origin)
+    dataset = Request.parse(name).dataset  # gardens:simulated and whole protocol ids name it too
+    if dataset in datasets:
+        return _describe_card(as_card(DATASETS.entry(dataset).load()), DATASETS.entry(dataset).origin)
     if name in methods or ":" in name:
         entry = METHODS.entry(name)
         parameters = [{"parameter": key, "default": value} for key, value in entry.parameters().items()]
@@ -91,10 +94,10 @@ def _describe(name: str) -> dict[str, Any]:
             "from": f"{entry.origin} ({entry.target})",
             "parameters": parameters,
         }
-    from vpr_bench.metrics.definitions import METRICS
+    from vpr_bench.metrics.definitions import METRICS, lookup
 
-    if name in METRICS:
-        return {"metric": name, "definition": METRICS[name].definition}
+    with suppress(UsageError):
+        return {"metric": name, "definition": lookup(name).definition}
     known = methods | datasets | METRICS.keys()
     raise UsageError(f"There is no method, dataset or metric {name!r}. {closest(name, known)}")
 

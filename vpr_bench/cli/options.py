@@ -21,7 +21,7 @@ UnmatchedOption = Annotated[Unmatched | None, typer.Option(help="What becomes of
 BootstrapOption = Annotated[
     int, typer.Option("--bootstrap", help="Resamples for 95 % intervals over queries; 0 for none.", min=0, metavar="N")
 ]
-MetricOption = Annotated[list[str] | None, typer.Option("--metric", "-m", help="Metric id; repeat for more.")]
+MetricOption = Annotated[list[str] | None, typer.Option("--metric", help="Metric id; repeat for more.")]
 
 RUNS = Path("runs")
 

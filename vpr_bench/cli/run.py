@@ -1,6 +1,7 @@
 """``vpr-bench run``: methods on datasets."""
 
 import sys
+from contextlib import redirect_stdout
 from itertools import product
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
@@ -21,7 +22,7 @@ from vpr_bench.cli.options import (
     parse_radii,
 )
 from vpr_bench.cli.results import Scoring, check_metrics, print_rows
-from vpr_bench.errors import UsageError, VprBenchError, closest
+from vpr_bench.errors import DataError, UsageError, VprBenchError, closest
 
 if TYPE_CHECKING:
     from vpr_bench.dataset.load import Case
@@ -48,7 +49,8 @@ Edition = Literal["auto", "real", "simulated"]
 
 def run(
     method: Annotated[
-        list[str], typer.Option("--method", help="Method name or module:Class; repeat for more.", metavar="NAME")
+        list[str],
+        typer.Option("--method", "-m", help="Name or module:Class; repeat for more.", metavar="NAME"),
     ],
     dataset: Annotated[
         list[str],
@@ -67,7 +69,7 @@ def run(
     unmatched: UnmatchedOption = None,
     seed: Annotated[int, typer.Option(min=0, help="Of the order of the queries and of the methods.")] = 0,
     k: Annotated[int | None, typer.Option("--k", help="Answers kept per query. Default: 20, or the whole map.")] = None,
-    limit: Annotated[int | None, typer.Option(help="Ask only N queries: a quick look.", metavar="N")] = None,
+    limit: Annotated[int | None, typer.Option(help="Only the first N of the shuffled queries.", metavar="N")] = None,
     threads: Annotated[int | None, typer.Option(min=1, help="Of numerical libraries. Default: all cores.")] = None,
     overwrite: Annotated[Overwrite, typer.Option(help="What becomes of stored runs.")] = "only-missing",
     metric: MetricOption = None,
@@ -80,7 +82,6 @@ def run(
     Runs are stored; what is stored already is shown, not run again, and what was interrupted is continued.
     """
     from vpr_bench.method.build import build_method
-    from vpr_bench.report.curve import draw_curve
     from vpr_bench.report.rows import HEADLINE
     from vpr_bench.runner.run import RunOptions
     from vpr_bench.runner.store import RunStore
@@ -91,7 +92,8 @@ def run(
     rows: list[Row] = []
     failures = []
     try:
-        with progress_bars():
+        # Stdout is for results: what a method prints is not one.
+        with redirect_stdout(sys.stderr), progress_bars():
             methods = _parameters(method, param or [])
             for name, given in methods.items():
                 build_method(name, given, seed)  # so that a typing error costs no time
@@ -102,16 +104,26 @@ def run(
                     scored = scoring.rows(stored, case.protocol)
                     rows += scored
                     if overwrite != "never":
-                        draw_curve(scored, stored.folder)
+                        _draw(scored, stored)
                 except VprBenchError as error:
                     complain(str(error))
                     failures.append(error.exit_code)
     except KeyboardInterrupt:
-        complain("interrupted; what was done is kept, and the same command continues there")
-        raise typer.Exit(INTERRUPTED) from None
+        complain("interrupted; answers so far are kept, and the same command goes on from there")
+        failures.append(INTERRUPTED)
     print_rows(rows, form)
     if failures:
         raise typer.Exit(max(failures))
+
+
+def _draw(rows: list["Row"], stored: "StoredRun") -> None:
+    """Draw the curves beside the run; without them the run is complete all the same."""
+    from vpr_bench.report.curve import draw_curve
+
+    try:
+        draw_curve(rows, stored.folder)
+    except DataError as error:
+        say(f"warning: there is no picture: {error}")
 
 
 def _parameters(names: list[str], assignments: list[str]) -> dict[str, dict[str, str]]:
@@ -135,12 +147,15 @@ def _load(datasets: list[str], protocols: list[str] | None, edition: str, scorin
     """Load every case, and say where the images come from."""
     from vpr_bench.dataset.card import find_card
     from vpr_bench.dataset.folders import data_root
-    from vpr_bench.dataset.load import Request, check_radius, load_case
+    from vpr_bench.dataset.load import check_radius, load_case
+    from vpr_bench.dataset.request import Request
 
     cases = []
-    for name in datasets:
-        pairings: list[str | None] = [*protocols] if protocols else [None]
+    for name in dict.fromkeys(datasets):
+        pairings: list[str | None] = [*dict.fromkeys(protocols)] if protocols else [None]
         if protocols == ["all"]:
+            if "/" in name:
+                raise UsageError(f"{name!r} names a protocol, but --protocol says all.")
             card = find_card(Request.parse(name).dataset)
             pairings = [f"{one.references}-{one.queries}" for one in card.protocols]
         for pairing in pairings:

@@ -1,15 +1,17 @@
 """``vpr-bench show`` and ``vpr-bench score``: what stored runs say, and what they would say otherwise."""
 
-from glob import escape
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from vpr_bench.cli.console import complain
 from vpr_bench.cli.console import show as show_result
 from vpr_bench.cli.options import (
     RUNS,
     BootstrapOption,
+    Format,
     FormatOption,
     MetricOption,
     OutputOption,
@@ -18,7 +20,7 @@ from vpr_bench.cli.options import (
     parse_radii,
 )
 from vpr_bench.cli.results import Scoring, check_metrics, print_rows
-from vpr_bench.errors import DataError, UsageError
+from vpr_bench.errors import DataError, UsageError, VprBenchError, blaming
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -51,10 +53,11 @@ def show(run: RunArgument = None, output: OutputOption = RUNS, form: FormatOptio
 
     runs = _select(run, output)
     scoring = Scoring(check_metrics(None, HEADLINE), None, None, 0)
-    print_rows([row for one in runs for row in scoring.rows(one)], form)
+    failed = _print(runs, scoring, form)
     if run and form == "table":
         for one in runs:
             show_result(_details(one))
+    raise typer.Exit(failed)
 
 
 def score(
@@ -70,7 +73,21 @@ def score(
     from vpr_bench.metrics.definitions import METRICS
 
     scoring = Scoring(check_metrics(metric, list(METRICS)), parse_radii(radius), unmatched, bootstrap)
-    print_rows([row for one in _select(run, output) for row in scoring.rows(one)], form)
+    raise typer.Exit(_print(_select(run, output), scoring, form))
+
+
+def _print(runs: list["StoredRun"], scoring: Scoring, form: Format) -> int:
+    """Print the rows of all runs that can be scored; return the exit code that the others deserve."""
+    rows, failed = [], 0
+    for run in runs:
+        try:
+            with blaming(f"{run.folder} is damaged", DataError):
+                rows += scoring.rows(run)
+        except VprBenchError as error:
+            complain(str(error))
+            failed = max(failed, error.exit_code)
+    print_rows(rows, form)
+    return failed
 
 
 def _select(names: list[str] | None, output: Path) -> list["StoredRun"]:
@@ -86,7 +103,9 @@ def _select(names: list[str] | None, output: Path) -> list["StoredRun"]:
         if (Path(name) / "run.json").exists():
             selected.append(StoredRun.open(Path(name)))
             continue
-        found = sorted(output.glob(f"*/*/*/{escape(name)}*/run.json"))
+        if not re.fullmatch("[0-9a-f]+", name):
+            raise UsageError(f"{name!r} is neither a run's folder nor the beginning of a run's hash.")
+        found = sorted(output.glob(f"*/*/*/{name}*/run.json"))
         found = [record for record in found if "." not in record.parent.name]
         if len(found) != 1:
             problem = f"{len(found)} runs begin with" if found else "no run begins with"
@@ -116,6 +135,8 @@ def _details(run: "StoredRun") -> "RenderableType":
         "libraries": ", ".join(f"{name} {version}" for name, version in record.machine.libraries.items()),
     }
     table = Table(show_header=False, box=None, pad_edge=False)
+    table.add_column(style="bold")
+    table.add_column(overflow="fold")
     for name, value in facts.items():
         table.add_row(name, Text(value))
     return table

@@ -25,7 +25,8 @@ def fetch_images(card: Card) -> Path:
     """
     found = find_real(card)
     if found is not None:
-        _check_complete(card, found)
+        for fault in verify_images(card, found):
+            raise type(fault)(f"What is there of {card.id} is not it: {fault}\n{_AWAY}")
         return found
     if card.download is None:
         raise DataError(f"{card.id} cannot be downloaded automatically. Get it from {card.homepage}.")
@@ -43,14 +44,6 @@ def fetch_images(card: Card) -> Path:
     if traverses is None:  # it was there before, and so nothing was fetched
         raise DataError(f"{folder} holds none of the traverse folders of {card.id}. {_AWAY}")
     return traverses
-
-
-def _check_complete(card: Card, folder: Path) -> None:
-    try:
-        for one in card.traverses:
-            load_traverse(card, one.name, "unverified", folder)
-    except DataError as error:
-        raise DataError(f"What is there of {card.id} is incomplete: {error}\n{_AWAY}") from None
 
 
 def verify_images(card: Card, folder: Path) -> list[VprBenchError]:

@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 from vpr_bench.dataset.card import Card, find_card
 from vpr_bench.dataset.content import case_digest, traverse_digest
 from vpr_bench.dataset.editions import resolve_edition
+from vpr_bench.dataset.request import Request
 from vpr_bench.errors import DataError, UsageError, blaming
 from vpr_bench.registry import import_object
 from vpr_bench.types.ground_truth import GroundTruth
-from vpr_bench.types.protocol import Protocol, Unit, Unmatched
+from vpr_bench.types.protocol import Protocol, Unmatched
 from vpr_bench.types.traverse import Traverse
 
 
@@ -114,44 +115,6 @@ def load_case(
     )
     name, folder = resolve_edition(card, asked.edition)
     return load_from(card, replace(chosen, edition=name), folder)
-
-
-@dataclass(frozen=True)
-class Request:
-    """What was asked for on the command line, before anything is looked up."""
-
-    dataset: str
-    pairing: str | None
-    edition: str
-    radius: float | None = None
-    unit: Unit | None = None
-    unmatched: Unmatched | None = None
-
-    @classmethod
-    def parse(cls, text: str, pairing: str | None = None, edition: str = "auto") -> "Request":
-        """Read ``gardens``, ``gardens:simulated``, ``gardens/day_left-day_right`` or a whole protocol id.
-
-        Raises
-        ------
-        UsageError
-            If the edition or protocol is given twice and differently.
-        """
-        source, slash, rest = text.partition("/")
-        dataset, colon, named = source.partition(":")
-        radius, unit, unmatched = None, None, None
-        if "@" in rest:
-            whole = Protocol.parse(text)
-            rest, radius, unit, unmatched = whole.pairing, whole.radius, whole.unit, whole.unmatched
-            named, colon = whole.edition, ":"
-        if colon:
-            if edition not in ("auto", named):
-                raise UsageError(f"{text!r} names the edition {named!r}, but --edition says {edition!r}.")
-            edition = named
-        if slash:
-            if pairing not in (None, rest):
-                raise UsageError(f"{text!r} names the protocol {rest!r}, but --protocol says {pairing!r}.")
-            pairing = rest
-        return cls(dataset, pairing, edition, radius, unit, unmatched)
 
 
 def load_from(card: Card, protocol: Protocol, folder: Path) -> Case:

@@ -79,7 +79,7 @@ def _broken_off(error: Exception) -> BrokenOffError:
     reason = getattr(error.args[0] if error.args else None, "reason", None)
     unreachable = isinstance(reason, urllib3.exceptions.NewConnectionError)
     if unreachable or isinstance(error, requests.ConnectTimeout):
-        return BrokenOffError("the server cannot be reached; is there a network?", connected=False)
+        return BrokenOffError("the server cannot be reached from here", connected=False)
     if isinstance(error, requests.exceptions.ProxyError):
         return BrokenOffError("the proxy cannot be reached or refuses", connected=False)
     if isinstance(error, requests.Timeout | urllib3.exceptions.TimeoutError):

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from vpr_bench.errors import UsageError, blaming, closest
+from vpr_bench.errors import DataError, UsageError, blaming, closest, one_line
 from vpr_bench.method.interfaces import Method, Weighted
 from vpr_bench.registry import NOT_INSTALLED, Entry, Registry
 
@@ -84,9 +84,9 @@ def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: i
             raise UsageError(f"The method {name!r} refuses its parameters: {error}") from error
     values = known | typed
     _check_json(name, values)
-    with blaming(f"The weights of {name!r} cannot be found"):
-        weights = method.weights_digest() if isinstance(method, Weighted) else None
-    changed = [f"{key}={value}" for key, value in values.items() if key != "seed" and value != known[key]]
+    with blaming(f"The weights of {name!r} cannot be found", DataError):
+        weights = str(method.weights_digest()) if isinstance(method, Weighted) else None
+    changed = [one_line(f"{key}={value}") for key, value in values.items() if key != "seed" and value != known[key]]
     label = f"{entry.name}({', '.join(changed)})" if changed else entry.name
     return BuiltMethod(entry.name, _version(entry, factory), values, weights, label, method)
 

@@ -15,6 +15,7 @@ from vpr_bench.dataset.card import Card, Published
 from vpr_bench.report.rows import Row
 from vpr_bench.types.protocol import Protocol
 
+_BESIDE_TIMES, _WITHOUT_TIMES = 4, 6  # metrics per table, so that it fits a window of 80 columns
 _STAGES = ("encode", "match", "rerank", "total")
 
 
@@ -35,7 +36,12 @@ def render_tables(rows: Sequence[Row], cards: dict[str, Card]) -> RenderableType
         same = [row for row in rows if _comparable(row) == alike]
         protocol = same[0].protocol
         card = cards.get(protocol.dataset)
-        tables.append(_table(protocol, same, published_for(card, protocol) if card else []))
+        published = published_for(card, protocol) if card and not same[0].partial else []
+        metrics = list(same[0].metrics)
+        head, rest = metrics[:_BESIDE_TIMES], metrics[_BESIDE_TIMES:]
+        tables.append(_table(same, head, _stages(same), published))
+        parts = range(0, len(rest), _WITHOUT_TIMES)
+        tables += [_table(same, rest[part : part + _WITHOUT_TIMES], [], published) for part in parts]
     return Group(*tables)
 
 
@@ -50,13 +56,15 @@ def published_for(card: Card, protocol: Protocol) -> list[Published]:
     ]
 
 
-def _table(protocol: Protocol, rows: Sequence[Row], published: Sequence[Published]) -> Table:
+def _stages(rows: Sequence[Row]) -> list[str]:
+    return [stage for stage in _STAGES if any(f"latency_{stage}_p50" in row.latency for row in rows)]
+
+
+def _table(rows: Sequence[Row], metrics: Sequence[str], stages: Sequence[str], published: Sequence[Published]) -> Table:
     """Lay out one protocol, each row on two lines, so that it fits a narrow window."""
-    metrics = list(rows[0].metrics)
-    stages = [stage for stage in _STAGES if any(f"latency_{stage}_p50" in row.latency for row in rows)]
     records = [row.run.record for row in rows]
     size = f"{records[0].n_references} references, {records[0].n_queries} queries"
-    title = Text(f"{protocol}  {size}{' (partial)' if rows[0].partial else ''}")
+    title = Text(f"{rows[0].protocol}  {size}{' (partial)' if rows[0].partial else ''}")
     table = Table(
         title=title,
         title_justify="left",
@@ -84,7 +92,11 @@ def _table(protocol: Protocol, rows: Sequence[Row], published: Sequence[Publishe
         values = [f"{one.value:.3f}" if metric == one.metric else "" for metric in metrics]
         table.add_row(Text(f"{one.method} [{sources.index(_source(one)) + 1}]"), *values, style="dim")
     threads = " or ".join(sorted({str(record.key.threads) for record in records}))
-    notes = [f"ms: p50 over p95 per query, one at a time, threads: {threads}, image already decoded"]
+    notes = []
+    if stages:
+        notes.append(f"ms: p50 over p95 per query, one at a time, threads: {threads}, image already decoded")
+    if any(math.isnan(row.metrics[metric]) for row in rows for metric in metrics):
+        notes.append("–: undefined here, or needs more answers per query than were kept (--k)")
     if any(row.intervals for row in rows):
         notes.append("below a value: its 95 % bootstrap interval over queries")
     notes += [f"[{number}] {source}" for number, source in enumerate(sources, 1)]

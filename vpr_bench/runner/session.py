@@ -10,9 +10,10 @@ from pathlib import Path
 import numpy as np
 
 from vpr_bench.dataset.load import Case
-from vpr_bench.errors import DataError, VprBenchError, blaming
+from vpr_bench.errors import DataError, VprBenchError, blaming, one_line
 from vpr_bench.files.atomic import write_arrays, write_bytes
 from vpr_bench.files.digest import sha256_of_file
+from vpr_bench.files.disk import DiskError
 from vpr_bench.method.build import BuiltMethod
 from vpr_bench.method.interfaces import Method, Persistent
 from vpr_bench.progress import track
@@ -97,7 +98,12 @@ def _fitted(case: Case, built: BuiltMethod, work: Path) -> tuple[Method, float, 
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir()
         with blaming(f"The method {built.id!r} failed while saving its map to {folder}"):
-            method.save(folder)
+            try:
+                method.save(folder)
+            except OSError as error:  # NumPy's has no errno when the disk is full
+                raise DiskError(
+                    f"Cannot write {folder}: {one_line(error)}. Free some space, or choose another --output."
+                ) from error
         write_bytes(note, json.dumps({"seconds": seconds, "peak": memory.bytes}).encode())
     return method, seconds, memory.bytes
 

@@ -67,6 +67,8 @@ def decode_image(source: Path | bytes, name: str | None = None) -> NDArray[np.ui
 
 
 def _read(path: Path) -> bytes:
+    if path.exists() and not path.is_file():
+        raise DataError(f"{path} is not a file.")
     try:
         return path.read_bytes()
     except OSError as error:

@@ -55,3 +55,29 @@ def test_help_shows_examples(vpr_bench, command):
 
 def test_unknown_command(vpr_bench):
     assert vpr_bench("runn").code == 2
+
+
+def test_usage_errors_are_one_line(vpr_bench):
+    for words in (("runn",), ("run", "--method", "hog"), ("run", "--k", "many"), ("list", "colours")):
+        done = vpr_bench(*words)
+        assert done.code == 2
+        assert done.err.startswith("error: ")
+        assert done.err.count("\n") == 1
+
+
+def test_no_words_show_the_help(vpr_bench):
+    done = vpr_bench()
+    assert done.code == 2
+    assert "Usage: vpr-bench" in done.out + done.err
+    assert "error" not in done.err
+
+
+def test_what_was_not_foreseen_is_no_traceback(vpr_bench, monkeypatch):
+    def fail(*words):
+        raise RuntimeError("surprise")
+
+    monkeypatch.setattr("vpr_bench.cli.listing.show", fail)
+    done = vpr_bench("list")
+    assert done.code == 1
+    assert "unforeseen RuntimeError: surprise" in done.err
+    assert "Traceback" not in done.err

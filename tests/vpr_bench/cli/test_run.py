@@ -1,7 +1,6 @@
 import csv
 import io
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -187,15 +186,62 @@ def test_ctrl_c_keeps_what_was_done(tmp_path):
     )
     for phase, parameter in (("fitting", "fit=60"), ("matching", "match=60")):
         words = [sys.executable, "tiny.py", "run", "--method", "slow:Slow", "--param", parameter, "--dataset", "tiny"]
-        process = subprocess.Popen(
-            words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=dict(os.environ)
-        )
-        while phase not in process.stdout.readline():
+        process = subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while phase not in process.stderr.readline():  # what a method prints is no result
             assert process.poll() is None, process.stderr.read()
         time.sleep(0.2)
         process.send_signal(signal.SIGINT)
-        _, err = process.communicate(timeout=20)
+        out, err = process.communicate(timeout=20)
         assert process.returncode == 130
         assert "interrupted" in err
         assert "Traceback" not in err
+        assert phase not in out
         assert not list((tmp_path / "runs").rglob("run.json"))
+
+
+def test_rows_that_are_done_are_printed_when_interrupted(vpr_bench, tiny_dataset, monkeypatch):
+    import vpr_baselines.hog
+
+    stopped = ("--method", "vpr_baselines.hog:Hog", "--format", "json")
+    assert vpr_bench(*TINY).code == 0
+    monkeypatch.setattr(vpr_baselines.hog.Hog, "match", _interrupt)
+    done = vpr_bench(*TINY, *stopped)
+    assert done.code == 130
+    assert len(json.loads(done.out)) == 1
+
+
+def _interrupt(*words):
+    raise KeyboardInterrupt
+
+
+def test_method_that_exits_does_not_pass_for_success(vpr_bench, tiny_dataset, monkeypatch):
+    import vpr_baselines.hog
+
+    monkeypatch.setattr(vpr_baselines.hog.Hog, "match", lambda *words: sys.exit(0))
+    done = vpr_bench(*TINY)
+    assert done.code == 1
+    assert "'hog' failed while warming up: SystemExit" in done.err
+
+
+def test_what_a_method_prints_is_no_result(vpr_bench, tiny_dataset, monkeypatch):
+    import vpr_baselines.hog
+
+    fit = vpr_baselines.hog.Hog.fit
+    monkeypatch.setattr(vpr_baselines.hog.Hog, "fit", lambda *words: (print("chatter"), fit(*words))[1])  # noqa: T201
+    done = vpr_bench(*TINY, "--format", "json")
+    assert len(json.loads(done.out)) == 1
+    assert "chatter" in done.err
+
+
+def test_a_picture_that_cannot_be_drawn_costs_no_result(vpr_bench, tiny_dataset, monkeypatch):
+    from vpr_bench.errors import DataError
+    from vpr_bench.report import curve
+
+    def fail(*words):
+        raise DataError("no paper")
+
+    monkeypatch.setattr(curve, "draw_curve", fail)
+    done = vpr_bench(*TINY)
+    assert done.code == 0
+    assert "there is no picture: no paper" in done.err
+    assert "hog" in done.out

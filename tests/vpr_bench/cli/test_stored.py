@@ -1,7 +1,10 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
+
+from vpr_bench.files.digest import sha256_of_file
 
 TINY = ("run", "--method", "hog", "--param", "size=32", "--param", "cell=8", "--dataset", "tiny")
 
@@ -49,7 +52,9 @@ def test_show_and_score_write_nothing(vpr_bench, folder):
 @pytest.mark.parametrize(
     ("words", "code", "said"),
     [
-        (("show", "zzzz"), 2, "no run begins with"),
+        (("show", "zzzz"), 2, "neither a run's folder nor"),
+        (("show", "0123456789ab"), 2, "no run begins with"),
+        (("show", "/"), 2, "neither a run's folder nor"),
         (("show", "--output", "nowhere"), 3, "There are no runs under nowhere"),
         (("score", "--metric", "auc"), 2, "There is no metric 'auc'"),
         (("score", "--radius", "-3"), 2, "Got '-3'"),
@@ -66,3 +71,16 @@ def test_damaged_run(vpr_bench, folder):
     done = vpr_bench("score", str(folder))
     assert done.code == 3
     assert "matches.npz is damaged" in done.err
+
+
+def test_a_run_that_cannot_be_scored_hides_no_other(vpr_bench, folder):
+    assert vpr_bench(*TINY, "--seed", "1").code == 0
+    arrays = {"queries": np.zeros(2), "references": np.arange(12.0)}
+    np.savez(folder / "labels.npz", **arrays)
+    record = json.loads((folder / "run.json").read_text())
+    record["files"]["labels.npz"] = sha256_of_file(folder / "labels.npz")
+    (folder / "run.json").write_text(json.dumps(record))
+    done = vpr_bench("show", "--format", "json")
+    assert done.code == 3
+    assert str(folder) in done.err
+    assert len(json.loads(done.out)) == 1

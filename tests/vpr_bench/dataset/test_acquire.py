@@ -101,7 +101,7 @@ def test_what_is_there_in_part_is_neither_taken_for_the_whole_nor_replaced(tiny_
     shutil.rmtree(path) if path.is_dir() else path.unlink()
     before = files(tiny_dataset.folder)
     page = server.add("/tiny.zip", b"")
-    with pytest.raises(DataError, match=r"tiny is incomplete: .*missing[\s\S]*move it away"):
+    with pytest.raises(DataError, match=r"tiny is not it: .*missing[\s\S]*move it away"):
         fetch_images(from_page(tiny_dataset.card, page))
     assert files(tiny_dataset.folder) == before and page.requests == []
 

@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from vpr_bench.dataset.card import find_card
-from vpr_bench.dataset.load import DatasetWarning, Request, check_radius, load_case, load_from, load_traverse
+from vpr_bench.dataset.load import DatasetWarning, check_radius, load_case, load_from, load_traverse
+from vpr_bench.dataset.request import Request
 from vpr_bench.errors import DataError, UsageError
 
 REAL = "tiny/day_left-day_right@1f"
