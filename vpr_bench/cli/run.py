@@ -159,7 +159,8 @@ def _load(datasets: list[str], protocols: list[str] | None, edition: str, scorin
             card = find_card(Request.parse(name).dataset)
             pairings = [f"{one.references}-{one.queries}" for one in card.protocols]
         for pairing in pairings:
-            case = load_case(name, pairing, edition, scoring.radii[0] if scoring.radii else None, scoring.unmatched)
+            # Loaded and stored at the protocol's own radius: another one only changes how answers are scored.
+            case = load_case(name, pairing, edition, unmatched=scoring.unmatched)
             for radius in scoring.radii or []:
                 check_radius(case.reference_labels, case.protocol.with_radius(radius))
             cases.append(case)
@@ -179,7 +180,8 @@ def _run_one(case: "Case", built: "BuiltMethod", store: "RunStore", options: "Ru
     from vpr_bench.runner.run import run as run_method
 
     found = find_run(store, run_key(case, built, options), options.overwrite)
-    say(f"{built.label} on {case.protocol}: {'stored already' if found else 'running'}")
+    cell = f"{built.label} on {case.protocol.source}/{case.protocol.pairing}"
+    say(f"{cell}: {'stored already' if found else 'running'}")
     stored = found or run_method(case, built, store, options)
-    say(f"{built.label} on {case.protocol}: {stored.folder}")
+    say(f"{cell}: {stored.folder}")
     return stored

@@ -180,7 +180,7 @@ def test_ctrl_c_keeps_what_was_done(tmp_path):
         "import vpr_bench.dataset.card as card\n"
         "images = Traverse('a', [np.full((4, 4, 3), i, np.uint8) for i in range(9)])\n"
         "case = Case(Protocol('tiny', 'a', 'b', 1, 'f'), images, images, np.arange(9.), np.arange(9.), 'x', Path())\n"
-        "load.load_case = lambda *words: case\n"
+        "load.load_case = lambda *words, **named: case\n"
         "from vpr_bench.cli import main\n"
         "main()\n"
     )

@@ -84,3 +84,8 @@ def test_a_run_that_cannot_be_scored_hides_no_other(vpr_bench, folder):
     assert done.code == 3
     assert str(folder) in done.err
     assert len(json.loads(done.out)) == 1
+
+
+def test_a_sweep_leaves_the_stored_protocol_alone(vpr_bench, folder):
+    assert vpr_bench(*TINY, "--radius", "0,3", "--overwrite", "always").code == 0
+    assert "tiny/day_left-day_right@1f" in vpr_bench("show").out
