@@ -24,7 +24,7 @@ def folder(tmp_path_factory):
     return tmp_path_factory.mktemp("docs")
 
 
-@pytest.mark.parametrize(("language", "code"), blocks())
+@pytest.mark.parametrize(("language", "code"), list(blocks()))
 def test_block(language, code, folder):
     if language == "console" and shutil.which("bash") is None:
         pytest.skip("these are commands for a POSIX shell, and there is no bash here")
