@@ -60,7 +60,9 @@ def _stages(rows: Sequence[Row]) -> list[str]:
     return [stage for stage in _STAGES if any(f"latency_{stage}_p50" in row.latency for row in rows)]
 
 
-def _table(rows: Sequence[Row], metrics: Sequence[str], stages: Sequence[str], published: Sequence[Published]) -> Table:
+def _table(
+    rows: Sequence[Row], metrics: Sequence[str], stages: Sequence[str], published: Sequence[Published]
+) -> RenderableType:
     """Lay out one protocol, each row on two lines, so that it fits a narrow window."""
     records = [row.run.record for row in rows]
     size = f"{records[0].n_references} references, {records[0].n_queries} queries"
@@ -69,13 +71,12 @@ def _table(rows: Sequence[Row], metrics: Sequence[str], stages: Sequence[str], p
         title=title,
         title_justify="left",
         title_style="bold",
-        caption_justify="left",
         box=SIMPLE_HEAD,
         show_edge=False,
         padding=(0, 1, 0, 0),
         pad_edge=False,
     )
-    table.add_column("method\nrun", overflow="fold", min_width=13)
+    table.add_column("method\nrun", overflow="fold", min_width=10)
     for metric in metrics:
         table.add_column(_broken(metric), justify="right")
     for stage in stages:
@@ -100,8 +101,8 @@ def _table(rows: Sequence[Row], metrics: Sequence[str], stages: Sequence[str], p
     if any(row.intervals for row in rows):
         notes.append("below a value: its 95 % bootstrap interval over queries")
     notes += [f"[{number}] {source}" for number, source in enumerate(sources, 1)]
-    table.caption = Text("\n".join(notes))
-    return table
+    # Not the table's caption, which would be as narrow as the table.
+    return Group(table, Text("\n".join([*notes, ""]), style="italic dim"))
 
 
 def _comparable(row: Row) -> tuple[str, str, int]:
