@@ -1,6 +1,5 @@
 """How long the exact area over all query-reference pairs takes, and how much memory, at full size."""
 
-import os
 import platform
 import time
 from concurrent.futures import ProcessPoolExecutor
@@ -12,6 +11,7 @@ import numpy as np
 import psutil
 from numpy.typing import NDArray
 
+from vpr_bench.cores import available_cores
 from vpr_bench.metrics.pairs import MAX_THREADS, pr_auc_pairs
 from vpr_bench.types.ground_truth import GroundTruth
 
@@ -72,7 +72,7 @@ def _measure(n_queries: int, dimensions: int, radius: float, seed: int) -> dict[
     frames = np.arange(n_queries)
     ground_truth = GroundTruth.from_radius(frames, frames, radius)
     queries, references = route(n_queries, dimensions, max(radius, 1.0), seed)
-    threads = min(os.cpu_count() or 1, MAX_THREADS)
+    threads = min(available_cores(), MAX_THREADS)
     start = time.perf_counter()
     value = pr_auc_pairs(lambda rows: queries[rows] @ references.T, ground_truth, threads=threads)
     seconds = time.perf_counter() - start

@@ -11,7 +11,8 @@ def doctor() -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from vpr_bench.runner.machine import available_cores, describe_machine
+    from vpr_bench.cores import available_cores
+    from vpr_bench.runner.machine import describe_machine
 
     machine = describe_machine(available_cores())
     faults = 0

@@ -6,7 +6,6 @@ collects the scores of the true pairs, the second sorts each block of scores and
 Memory grows with the true pairs and one block per thread, and not with the pairs.
 """
 
-import os
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
@@ -14,6 +13,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_bench.cores import available_cores
 from vpr_bench.metrics.counts import ratio
 from vpr_bench.progress import track
 from vpr_bench.types.ground_truth import GroundTruth
@@ -75,7 +75,7 @@ def pr_auc_pairs(
     rows_per_block = max(1, BLOCK_ELEMENTS // ground_truth.n_references)
     starts = range(0, ground_truth.n_queries, rows_per_block)
     blocks = [slice(start, min(start + rows_per_block, ground_truth.n_queries)) for start in starts]
-    threads = threads or min(os.cpu_count() or 1, MAX_THREADS)
+    threads = threads or min(available_cores(), MAX_THREADS)
     with threadpool_limits(1, user_api="blas"), ThreadPoolExecutor(threads) as pool:
         found = pool.map(partial(_true_scores, scores, ground_truth), blocks)
         true_scores = np.concatenate(list(track(found, "Scoring true pairs", total=len(blocks))))

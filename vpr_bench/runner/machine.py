@@ -1,11 +1,12 @@
 """What the numbers were measured with: versions and hardware."""
 
-import os
 import platform
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from pydantic import BaseModel, ConfigDict
+
+from vpr_bench.cores import available_cores
 
 _LIBRARIES = ("vpr-bench", "numpy", "opencv-python-headless", "pillow", "scikit-learn", "torch")
 
@@ -33,12 +34,6 @@ def describe_machine(threads: int) -> Machine:
         python=platform.python_version(),
         libraries={name: found for name in _LIBRARIES if (found := installed(name))},
     )
-
-
-def available_cores() -> int:
-    """Return how many processor cores this process may use."""
-    affinity = getattr(os, "sched_getaffinity", None)
-    return len(affinity(0)) if affinity else os.cpu_count() or 1
 
 
 def installed(distribution: str) -> str | None:

@@ -5,11 +5,11 @@ import warnings
 from dataclasses import dataclass
 from typing import Literal
 
+from vpr_bench.cores import available_cores
 from vpr_bench.dataset.load import Case
 from vpr_bench.errors import DamagedError, DataError, UsageError
 from vpr_bench.files.disk import disk_errors
 from vpr_bench.method.build import BuiltMethod
-from vpr_bench.runner.machine import available_cores
 from vpr_bench.runner.record import RunKey
 from vpr_bench.runner.session import work_on
 from vpr_bench.runner.store import RunStore, StoredRun, StoreWarning

@@ -7,6 +7,7 @@ from pathlib import Path
 from queue import SimpleQueue
 from threading import Thread
 
+from vpr_bench.cores import available_cores
 from vpr_bench.progress import task
 from vpr_datasets.simulation.job import Job, check_pattern
 from vpr_datasets.simulation.spec import SimulationSpec
@@ -45,7 +46,7 @@ def render(spec: SimulationSpec, folder: Path, *, pattern: str = PATTERN, worker
     """
     check_pattern(pattern)
     if workers is None:
-        workers = min(_processors(), _MOST_WORKERS)
+        workers = min(available_cores(), _MOST_WORKERS)
     if workers < 1:
         raise ValueError(f"workers must be at least 1, got {workers}")
     total = spec.frames * len(spec.traverses)
@@ -66,11 +67,6 @@ def render(spec: SimulationSpec, folder: Path, *, pattern: str = PATTERN, worker
             process.kill()
         for process in processes:
             process.wait()
-
-
-def _processors() -> int:
-    """Return how many processors this process may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _start(job: Job) -> subprocess.Popen[str]:

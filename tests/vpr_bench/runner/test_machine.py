@@ -1,4 +1,5 @@
-from vpr_bench.runner.machine import available_cores, describe_machine, installed
+from vpr_bench.cores import available_cores
+from vpr_bench.runner.machine import describe_machine, installed
 
 
 def test_describes_this_computer():
