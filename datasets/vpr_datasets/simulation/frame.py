@@ -35,13 +35,14 @@ def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint
     >>> render_frame(spec, "day", 0).shape
     (36, 64, 3)
     """
-    if not 0 <= index < spec.frames:
-        raise ValueError(f"frame index must be in [0, {spec.frames}), got {index}")
     traverse = spec.traverse(name)
+    frames = spec.frames_of(traverse)
+    if not 0 <= index < frames:
+        raise ValueError(f"frame index must be in [0, {frames}), got {index}")
     scene = build_scene(spec, name)
     view = view_at(spec, traverse, scene.course, index)
     buffers = Buffers.empty(scene.jitter)
-    draw_walls(buffers, view, _passers(scene, spec, index), REACH)
+    draw_walls(buffers, view, _passers(scene, traverse.start, spec.step_of(traverse), index), REACH)
     draw_walls(buffers, view, scene.walls, REACH)
     draw_slab(buffers, view, scene.ground, REACH)
     for slab in _slabs_near(scene, view):
@@ -63,11 +64,11 @@ def _slabs_near(scene: Scene, view: View) -> list[Slab]:
     return near
 
 
-def _passers(scene: Scene, spec: SimulationSpec, index: int) -> Walls:
+def _passers(scene: Scene, start: float, step: float, index: int) -> Walls:
     """Return the people on the way as they stand in one frame."""
     stage = Stage(scene.course)
     for mover in scene.movers:
-        s = mover.meeting * spec.step + (index - mover.meeting) * mover.pace
-        if -2.0 < s - index * spec.step < 60.0:
+        s = start + mover.meeting * step + (index - mover.meeting) * mover.pace
+        if -2.0 < s - start - index * step < 60.0:
             stage.cutout(s, mover.lateral, mover.width, mover.height, mover.texture)
     return Walls.of(stage.walls)

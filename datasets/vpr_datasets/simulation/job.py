@@ -26,7 +26,7 @@ class Job(BaseModel):
     def carry_out(self) -> Iterator[Path]:
         """Render the images of this job; yields the path of each once it is written."""
         # The traverses take turns, so that walls seen from one are still in the processor's cache.
-        shots = [(index, name) for index in range(self.spec.frames) for name in _names(self.spec)]
+        shots = _shots(self.spec)
         for index, name in shots[self.worker :: self.workers]:
             path = self.folder / self.pattern.format(traverse=name, index=index)
             path.parent.mkdir(parents=True, exist_ok=True)
@@ -38,8 +38,9 @@ class Job(BaseModel):
             yield path
 
 
-def _names(spec: SimulationSpec) -> list[str]:
-    return [traverse.name for traverse in spec.traverses]
+def _shots(spec: SimulationSpec) -> list[tuple[int, str]]:
+    most = max(spec.frames_of(traverse) for traverse in spec.traverses)
+    return [(index, one.name) for index in range(most) for one in spec.traverses if index < spec.frames_of(one)]
 
 
 def check_pattern(pattern: str) -> None:

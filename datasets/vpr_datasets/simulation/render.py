@@ -49,7 +49,7 @@ def render(spec: SimulationSpec, folder: Path, *, pattern: str = PATTERN, worker
         workers = min(available_cores(), _MOST_WORKERS)
     if workers < 1:
         raise ValueError(f"workers must be at least 1, got {workers}")
-    total = spec.frames * len(spec.traverses)
+    total = sum(spec.frames_of(traverse) for traverse in spec.traverses)
     workers = min(workers, total)
     folder = Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)

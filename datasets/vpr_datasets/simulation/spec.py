@@ -34,6 +34,12 @@ class TraverseSpec(BaseModel):
         Share of the spots for people, bicycles and cars that are taken, from 0 to 1.
     noise
         Strength of the sensor's noise relative to what is usual under this light.
+    frames
+        Images of this traverse; by default as many as the simulation says.
+    start
+        Place of its first image, in metres along the path.
+    step
+        Distance between its neighbouring images in metres; by default the simulation's.
     seed
         Chooses what passes by, the weather of the sky and the jitter; the place itself does not change.
     """
@@ -44,12 +50,15 @@ class TraverseSpec(BaseModel):
     light: Light = "day"
     season: Season = "summer"
     lateral: Annotated[float, Field(ge=-8, le=8, allow_inf_nan=False)] = 0.0
-    eye_height: Annotated[float, Field(ge=0.5, le=3.2, allow_inf_nan=False)] = 1.6
+    eye_height: Annotated[float, Field(ge=0.5, le=4.5, allow_inf_nan=False)] = 1.6
     tilt: Annotated[float, Field(ge=-0.3, le=0.3, allow_inf_nan=False)] = 0.0
     pace_variation: Annotated[float, Field(ge=0, le=5, allow_inf_nan=False)] = 0.5
     shake: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 1.0
     traffic: Annotated[float, Field(ge=0, le=1)] = 0.5
     noise: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 1.0
+    frames: Annotated[int, Field(ge=1, le=1000)] | None = None
+    start: Annotated[float, Field(ge=0, allow_inf_nan=False)] = 0.0
+    step: Annotated[float, Field(gt=0, le=50, allow_inf_nan=False)] | None = None
     seed: Annotated[int, Field(ge=0)] = 0
 
 
@@ -63,7 +72,7 @@ class SimulationSpec(BaseModel):
     scene
         The kind of place.
     frames
-        Images per traverse; image ``i`` of every traverse shows place ``i``.
+        Images per traverse; unless a traverse says otherwise, image ``i`` of every one shows place ``i``.
     width, height
         Size of the images in pixels.
     step
@@ -91,7 +100,7 @@ class SimulationSpec(BaseModel):
     frames: Annotated[int, Field(ge=1, le=1000)] = 200
     width: Annotated[int, Field(ge=64, le=1920)] = 640
     height: Annotated[int, Field(ge=36, le=1080)] = 360
-    step: Annotated[float, Field(gt=0, le=5, allow_inf_nan=False)] = 1.0
+    step: Annotated[float, Field(gt=0, le=50, allow_inf_nan=False)] = 1.0
     curvature: Annotated[float, Field(ge=0, le=0.6, allow_inf_nan=False)] = 0.35
     focal_length: Annotated[float, Field(ge=0.3, le=3, allow_inf_nan=False)] = 0.85
     quality: Annotated[int, Field(ge=50, le=100)] = 90
@@ -110,6 +119,19 @@ class SimulationSpec(BaseModel):
         if len(set(names)) != len(names):
             raise ValueError(f"traverses need distinct names, got {', '.join(names)}")
         return self
+
+    def frames_of(self, traverse: TraverseSpec) -> int:
+        """Return how many images a traverse has."""
+        return self.frames if traverse.frames is None else traverse.frames
+
+    def step_of(self, traverse: TraverseSpec) -> float:
+        """Return the distance between neighbouring images of a traverse, in metres."""
+        return self.step if traverse.step is None else traverse.step
+
+    @property
+    def length(self) -> float:
+        """Metres of the path that the traverses cover."""
+        return max(one.start + self.frames_of(one) * self.step_of(one) for one in self.traverses)
 
     def traverse(self, name: str) -> TraverseSpec:
         """Return the traverse called ``name``."""

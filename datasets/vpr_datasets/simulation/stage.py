@@ -78,6 +78,22 @@ class Floor:
     right: str
 
 
+@dataclass(frozen=True)
+class Mover:
+    """Somebody on the way.
+
+    ``meeting`` is the frame at which the camera comes by, ``pace`` the metres along the path per frame,
+    ``lateral`` the metres to the left of its middle.
+    """
+
+    meeting: float
+    pace: float
+    lateral: float
+    width: float
+    height: float
+    texture: Texture
+
+
 @dataclass
 class Stage:
     """A scene under construction; every place is given as metres along and to the left of the path."""

@@ -60,7 +60,7 @@ def _wander(key: tuple[int | str, ...], index: int, period: int) -> float:
 def place_at(spec: SimulationSpec, traverse: TraverseSpec, index: int) -> float:
     """Return how far along the path, in metres, frame ``index`` of a traverse was taken."""
     key = (spec.seed, traverse.seed, traverse.name, "pace")
-    return index * spec.step + traverse.pace_variation * _wander(key, index, 9)
+    return traverse.start + index * spec.step_of(traverse) + traverse.pace_variation * _wander(key, index, 9)
 
 
 def view_at(spec: SimulationSpec, traverse: TraverseSpec, course: Course, index: int) -> View:

@@ -1,13 +1,23 @@
-"""Laying out a campus along the path."""
+"""A campus: a winding path between buildings and gardens, with people on foot and on bicycles."""
 
+from vpr_datasets.simulation import props
 from vpr_datasets.simulation.chance import Dice
-from vpr_datasets.simulation.facades import STOREY, draw_style, paint_street, paint_upper
+from vpr_datasets.simulation.facades import ACCENTS, STOREY, draw_style, paint_street, paint_upper
 from vpr_datasets.simulation.furniture import furnish
-from vpr_datasets.simulation.lots import Greenery, fence_in, grow, plant_garden, plant_grove, put_building, set_plaza
+from vpr_datasets.simulation.lots import (
+    Greenery,
+    fence_in,
+    grow,
+    plain,
+    plant_garden,
+    plant_grove,
+    put_building,
+    set_plaza,
+)
 from vpr_datasets.simulation.overhead import span
 from vpr_datasets.simulation.path import Course
-from vpr_datasets.simulation.spec import Season
-from vpr_datasets.simulation.stage import Floor, Stage
+from vpr_datasets.simulation.spec import Season, TraverseSpec
+from vpr_datasets.simulation.stage import Floor, Mover, Stage
 
 PAVINGS = ("asphalt", "concrete", "slabs", "large slabs", "brick", "boards", "cobbles", "tiles")
 BORDERS = ("grass", "mulch", "gravel", "slabs", "concrete", "brick", "grass")
@@ -85,3 +95,42 @@ def _close(stage: Stage, dice: Dice, length: float) -> None:
     stage.wall((s, wide), (s, -wide), 0, STOREY, paint_street(dice, style, 2 * wide).bake(210))
     upper = paint_upper(dice, style, 2 * wide)
     stage.wall((s, wide), (s, -wide), STOREY, STOREY + upper.height, upper.bake(210))
+
+
+def park(stage: Stage, dice: Dice, traverse: TraverseSpec, length: float) -> None:
+    """Leave bicycles, cars and people who stand about beside the path."""
+    bicycles = [props.bicycle(dice).bake() for _ in range(4)]
+    people = [props.person(dice).bake() for _ in range(6)]
+    s = 0.0
+    while s < length + 20:
+        s += dice.between(3, 9)
+        if not dice.chance(traverse.traffic):
+            continue
+        side = dice.pick((1, -1))
+        t = side * dice.between(2.6, 3.6)
+        if dice.chance(0.5):
+            for number in range(1 + dice.below(3)):
+                ends = ((s + number * 0.5, t + side * 1.4), (s + number * 0.5 + 0.6, t))
+                stage.wall(*ends, 0, 1.1, dice.pick(bicycles), "both")
+        elif dice.chance(0.7):
+            stage.cutout(s, t, 0.9 * dice.pick((1, -1)), dice.between(1.6, 1.9), dice.pick(people))
+        else:
+            colour = dice.pick((*ACCENTS, (200, 202, 204), (60, 62, 66)))
+            flank, end = props.car_side(dice, colour).bake(), props.car_end(dice, colour).bake()
+            stage.box(s, side * 4.6, 4.2, 1.75, 1.5, flank, end, None)
+            stage.slab(s - 1.1, side * 4.6 - 0.6, 1.7, 1.2, 1.47, plain(colour, dice))
+
+
+def send_out(dice: Dice, traverse: TraverseSpec, frames: int) -> list[Mover]:
+    """Send people and cyclists along the path, towards the camera or ahead of it."""
+    people = [props.person(dice).bake() for _ in range(8)]
+    movers = []
+    for start in range(0, frames + 30, 6):
+        if dice.chance(traverse.traffic):
+            pace = dice.between(-1.3, -0.8) if dice.chance(0.6) else dice.between(0.5, 0.85)
+            # Nobody walks into the camera.
+            aside = dice.pick((1, -1)) * dice.between(1.0, 2.0)
+            lateral = min(max(traverse.lateral + aside, -3.0), 3.0)
+            height = dice.between(1.55, 1.9)
+            movers.append(Mover(start + dice.between(0, 5), pace, lateral, 0.9, height, dice.pick(people)))
+    return movers

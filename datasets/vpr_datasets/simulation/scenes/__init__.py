@@ -1,0 +1,29 @@
+"""The kinds of scene: each is one module, and they differ only in what stands and moves where."""
+
+from typing import Protocol
+
+from vpr_datasets.simulation.chance import Dice
+from vpr_datasets.simulation.path import Course
+from vpr_datasets.simulation.scenes import campus
+from vpr_datasets.simulation.spec import Season, TraverseSpec
+from vpr_datasets.simulation.stage import Mover, Stage
+
+
+class Landscape(Protocol):
+    """What a module in this package offers."""
+
+    def lay_out(self, seed: int, season: Season, course: Course, length: float) -> Stage:
+        """Build what is always there, from -20 to ``length`` metres along the path and some way beyond."""
+        ...
+
+    def park(self, stage: Stage, dice: Dice, traverse: TraverseSpec, length: float) -> None:
+        """Add what stands about on one traverse only."""
+        ...
+
+    def send_out(self, dice: Dice, traverse: TraverseSpec, frames: int) -> list[Mover]:
+        """Return who is on the way on one traverse of so many frames."""
+        ...
+
+
+SCENES: dict[str, Landscape] = {"campus": campus}
+"""By the name that a specification gives its scene."""
