@@ -16,7 +16,7 @@ from PIL import Image
 
 from vpr_bench.dataset.card import DATASETS, Card
 from vpr_bench.dataset.content import traverse_digest
-from vpr_bench.dataset.editions import find_real
+from vpr_bench.dataset.editions import find_images
 from vpr_bench.registry import Entry
 from vpr_bench.types.traverse import Traverse
 
@@ -43,11 +43,12 @@ def _own_folders(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
 
 @pytest.fixture
 def data_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Return an empty data root; the cache is empty too, both for this test alone."""
+    """Return an empty data root; cache and state are empty too, all for this test alone."""
     root = tmp_path / "data"
     root.mkdir()
     monkeypatch.setenv("VPR_BENCH_DATA", str(root))
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
     return root
 
 
@@ -57,7 +58,7 @@ def real_gardens(monkeypatch: pytest.MonkeyPatch) -> Path:
     if not _REAL_IMAGES:
         pytest.skip("set VPR_BENCH_DATA to the folder that holds gardens to test on the real images")
     monkeypatch.setenv("VPR_BENCH_DATA", _REAL_IMAGES)
-    folder = find_real(DATASETS.entry("gardens").load())
+    folder = find_images(DATASETS.entry("gardens").load())
     if folder is None:
         pytest.skip(f"{_REAL_IMAGES} does not hold the real images of gardens")
     return folder
@@ -146,7 +147,7 @@ def tiny_card(tiny_images: Path) -> Card:
             "folders": ["TinyTextures"],
             "unit": "f",
             "loader": {
-                "function": "vpr_datasets.loaders.numbered:load",
+                "layout": "numbered",
                 "options": {"pattern": "Image{index:03d}.jpg"},
             },
             "traverses": traverses,

@@ -44,12 +44,12 @@ def _folders() -> list[tuple[str, object]]:
 def _images() -> list[tuple[str, object]]:
     from vpr_bench.dataset.acquire import verify_images
     from vpr_bench.dataset.card import DATASETS, as_card
-    from vpr_bench.dataset.editions import find_real
+    from vpr_bench.dataset.editions import find_images
 
     states: list[tuple[str, object]] = []
     for name, card in DATASETS.load_all(as_card).items():
         try:
-            folder = find_real(card)
+            folder = find_images(card)
             faults = verify_images(card, folder) if folder else []
             states.append(
                 (f"images of {name}", faults[0] if faults else folder or "not on disk: simulated ones are used")

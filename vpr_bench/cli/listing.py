@@ -112,7 +112,8 @@ def _describe_card(card: "Card", origin: str) -> dict[str, Any]:
         "from": origin,
         "traverses": [{"name": one.name, "images": one.images, "about": one.about} for one in card.traverses],
         "protocols": [
-            {"id": str(card.protocol(f"{one.references}-{one.queries}")), "about": one.about} for one in card.protocols
+            {"id": str(protocol), "about": one.about}
+            for protocol, one in zip(card.listed_protocols(), card.protocols, strict=True)
         ],
         "published": [
             {
@@ -124,7 +125,7 @@ def _describe_card(card: "Card", origin: str) -> dict[str, Any]:
             }
             for one in card.published
         ],
-        "editions": "real, simulated" if card.simulation else "real",
+        "editions": ", ".join(card.edition_names()),
     }
 
 

@@ -17,6 +17,10 @@ RadiusOption = Annotated[
     list[str] | None,
     typer.Option(help="Radius instead of the protocol's own; several (0,1,2,5) are swept.", metavar="R[,R…]"),
 ]
+EditionOption = Annotated[
+    str,
+    typer.Option(help="real, simulated, or another one that the dataset has; auto: real if on disk, else simulated."),
+]
 UnmatchedOption = Annotated[Unmatched | None, typer.Option(help="What becomes of queries without a true match.")]
 BootstrapOption = Annotated[
     int, typer.Option("--bootstrap", help="Resamples for 95 % intervals over queries; 0 for none.", min=0, metavar="N")

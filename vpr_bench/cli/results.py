@@ -1,7 +1,7 @@
 """Scoring stored runs as the options say, and printing the rows."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from vpr_bench.cli.console import show, write
@@ -49,9 +49,9 @@ class Scoring:
         from vpr_bench.report.rows import score_run
 
         protocol = protocol or run.protocol
-        unmatched = self.unmatched or protocol.unmatched
-        radii = self.radii or [protocol.radius]
-        return [score_run(run, self.metrics, radius, unmatched, self.resamples) for radius in radii]
+        protocol = replace(protocol, unmatched=self.unmatched or protocol.unmatched)
+        protocols = [protocol.with_radius(radius) for radius in self.radii] if self.radii else [protocol]
+        return [score_run(run, self.metrics, one, self.resamples) for one in protocols]
 
 
 def check_metrics(names: list[str] | None, default: Sequence[str]) -> list[str]:

@@ -14,6 +14,7 @@ from vpr_bench.cli.console import complain, say
 from vpr_bench.cli.options import (
     RUNS,
     BootstrapOption,
+    EditionOption,
     FormatOption,
     MetricOption,
     OutputOption,
@@ -40,11 +41,14 @@ vpr-bench run --method hog --method twostage --dataset gardens --protocol all
 vpr-bench run --method twostage --param n_components=1 --dataset gardens --radius 0,1,2,5 --bootstrap 2000
 
 vpr-bench run --method hog --dataset gardens:simulated --limit 20 --format json
+
+vpr-bench run --method hog --method twostage --dataset thesis --edition simulated
+
+vpr-bench run --method hog --dataset path/to/my/images
 """
 
 
 Overwrite = Literal["only-missing", "always", "never"]
-Edition = Literal["auto", "real", "simulated"]
 
 
 def run(
@@ -54,13 +58,17 @@ def run(
     ],
     dataset: Annotated[
         list[str],
-        typer.Option("--dataset", help="Dataset, dataset:edition, or a whole protocol id; repeat.", metavar="NAME"),
+        typer.Option(
+            "--dataset",
+            help="Dataset, group of them, dataset:edition, protocol id, or a folder of your own; repeat.",
+            metavar="NAME",
+        ),
     ],
     protocol: Annotated[
         list[str] | None,
-        typer.Option(help="A named protocol of the dataset (references-queries), or all. Default: its first."),
+        typer.Option(help="references-queries, by name or of any of the traverses, or all. Default: the first."),
     ] = None,
-    edition: Annotated[Edition, typer.Option(help="auto: the real images if on disk, else simulated.")] = "auto",
+    edition: EditionOption = "auto",
     param: Annotated[
         list[str] | None,
         typer.Option("--param", "-p", help="Parameter name=value, or method.name=value for one of several methods."),
@@ -145,34 +153,46 @@ def _parameters(names: list[str], assignments: list[str]) -> dict[str, dict[str,
 
 def _load(datasets: list[str], protocols: list[str] | None, edition: str, scoring: "Scoring") -> list["Case"]:
     """Load every case, and say where the images come from."""
-    from vpr_bench.dataset.card import find_card
-    from vpr_bench.dataset.folders import data_root
-    from vpr_bench.dataset.load import check_radius, load_case
-    from vpr_bench.dataset.request import Request
+    from vpr_bench.dataset.card import expand_groups
+    from vpr_bench.dataset.load import load_case
 
     cases = []
-    for name in dict.fromkeys(datasets):
-        pairings: list[str | None] = [*dict.fromkeys(protocols)] if protocols else [None]
-        if protocols == ["all"]:
-            if "/" in name:
-                raise UsageError(f"{name!r} names a protocol, but --protocol says all.")
-            card = find_card(Request.parse(name).dataset)
-            pairings = [f"{one.references}-{one.queries}" for one in card.protocols]
-        for pairing in pairings:
+    for name in expand_groups(datasets):
+        for pairing in _pairings(name, protocols, edition):
             # Loaded and stored at the protocol's own radius: another one only changes how answers are scored.
             case = load_case(name, pairing, edition, unmatched=scoring.unmatched)
             for radius in scoring.radii or []:
-                check_radius(case.reference_labels, case.protocol.with_radius(radius))
+                case.places.check(case.protocol.with_radius(radius))
             cases.append(case)
-        dataset = cases[-1].protocol.dataset
-        if cases[-1].protocol.edition == "simulated" and edition == "auto" and ":" not in name:
-            say(
-                f"{dataset}: SIMULATED images, rendered by vpr-bench, because the real ones are not under "
-                f"{data_root()}. Get them with `vpr-bench data fetch {dataset}`."
-            )
-        else:
-            say(f"{dataset}: {cases[-1].protocol.edition} images in {cases[-1].folder}")
+        _say_where(cases[-1], name, edition)
     return cases
+
+
+def _pairings(name: str, protocols: list[str] | None, edition: str) -> list[str | None]:
+    """Return what is asked of one dataset: a protocol each, None for its first."""
+    from vpr_bench.dataset.request import Request
+    from vpr_bench.dataset.source import Source
+
+    if protocols != ["all"]:
+        return [*dict.fromkeys(protocols)] if protocols else [None]
+    request = Request.parse(name, edition=edition)
+    if request.pairing is not None:
+        raise UsageError(f"{name!r} names a protocol, but --protocol says all.")
+    source = Source.find(request)
+    return [f"{one.pairing}@{one.reach}" for one in source.card.listed_protocols()]
+
+
+def _say_where(case: "Case", name: str, edition: str) -> None:
+    from vpr_bench.dataset.folders import data_root
+
+    dataset = case.protocol.dataset
+    if case.protocol.edition == "simulated" and edition == "auto" and ":" not in name:
+        say(
+            f"{dataset}: SIMULATED images, rendered by vpr-bench, because the real ones are not under "
+            f"{data_root()}. Get them with `vpr-bench data fetch {dataset}`."
+        )
+    else:
+        say(f"{dataset}: {case.protocol.edition} images in {case.folder}")
 
 
 def _run_one(case: "Case", built: "BuiltMethod", store: "RunStore", options: "RunOptions") -> "StoredRun":

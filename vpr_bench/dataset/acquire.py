@@ -3,8 +3,10 @@
 from pathlib import Path
 
 from vpr_bench.dataset.card import Card
-from vpr_bench.dataset.editions import find_real, search
+from vpr_bench.dataset.content import traverse_digest
+from vpr_bench.dataset.editions import find_images, search
 from vpr_bench.dataset.folders import data_root
+from vpr_bench.dataset.known import known_digest, remember_digest, vouched_digest
 from vpr_bench.dataset.load import load_traverse
 from vpr_bench.download import fetch_archive
 from vpr_bench.errors import DataError, VprBenchError
@@ -23,13 +25,14 @@ def fetch_images(card: Card) -> Path:
         not the copy that the card knows; nothing is left in the data root then. If what is there already is
         incomplete or something else: nothing of the user's is ever replaced.
     """
-    found = find_real(card)
+    found = find_images(card)
     if found is not None:
         for fault in verify_images(card, found):
             raise type(fault)(f"What is there of {card.id} is not it: {fault}\n{_AWAY}")
         return found
     if card.download is None:
-        raise DataError(f"{card.id} cannot be downloaded automatically. Get it from {card.homepage}.")
+        obtain = card.obtain or f"Get it from {card.homepage}."
+        raise DataError(f"{card.id} cannot be downloaded automatically. {obtain}")
 
     def check(folder: Path) -> None:
         traverses = search(folder, card)
@@ -39,22 +42,40 @@ def fetch_images(card: Card) -> Path:
             raise DataError(f"The archive is not {card.id} as the card knows it: {fault}")
 
     folder = data_root() / card.id
-    fetch_archive(card.download.url, folder, sha256=card.download.sha256, check=check)
+    url = card.download.url
+    expected = card.download.sha256 or known_digest(url)
+    fetch_archive(url, folder, sha256=expected, check=check, record=lambda found: remember_digest(url, found, folder))
     traverses = search(folder, card)
     if traverses is None:  # it was there before, and so nothing was fetched
         raise DataError(f"{folder} holds none of the traverse folders of {card.id}. {_AWAY}")
     return traverses
 
 
-def verify_images(card: Card, folder: Path) -> list[VprBenchError]:
-    """Check every traverse: complete, every image decodes, and the digest is the card's.
+def accept_images(card: Card, folder: Path, source: str) -> None:
+    """Record the digests of what is there as those that it should have, where the card itself knows none.
+
+    Raises
+    ------
+    DataError
+        If a traverse is incomplete or its record cannot be written.
+    """
+    for one in card.traverses:
+        if one.digest is None:
+            digest = traverse_digest(load_traverse(card, one, folder).traverse, afresh=True)
+            remember_digest(f"{source}/{one.name}", digest, folder / one.path)
+
+
+def verify_images(card: Card, folder: Path, source: str | None = None) -> list[VprBenchError]:
+    """Check every traverse: complete, every image decodes, and the digest is the card's or that of first contact.
 
     Parameters
     ----------
     card : Card
-        The dataset.
+        The dataset, in its edition.
     folder : Path
         Holds the traverses.
+    source : str, optional
+        Dataset with its edition; by default the real one.
 
     Returns
     -------
@@ -65,17 +86,17 @@ def verify_images(card: Card, folder: Path) -> list[VprBenchError]:
     faults: list[VprBenchError] = []
     for one in card.traverses:
         try:
-            traverse, _, digest = load_traverse(card, one.name, "unverified", folder)
-            if one.digest == digest:
+            traverse = load_traverse(card, one, folder).traverse
+            digest = traverse_digest(traverse, afresh=True)
+            expected, whose = vouched_digest(one, source or card.id)
+            if expected == digest:
                 continue
             for index in track(range(len(traverse)), f"Decoding {one.name}"):
                 traverse[index]
         except DataError as error:
             faults.append(error)
             continue
-        if one.digest is not None:
+        if expected is not None:
             where = folder / one.path
-            faults.append(
-                VprBenchError(f"{where} is not the copy the card knows: expected {one.digest}, found {digest}.")
-            )
+            faults.append(VprBenchError(f"{where} is not the copy that {whose}: expected {expected}, found {digest}."))
     return faults

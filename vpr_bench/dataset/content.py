@@ -6,14 +6,24 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from vpr_bench.files.digest import sha256_of_file
+from vpr_bench.dataset.folders import cache_root
+from vpr_bench.dataset.recording import Recording
+from vpr_bench.files.digest_cache import sha256_of_files
+from vpr_bench.types.ground_truth import GroundTruth
+from vpr_bench.types.places import Places
 from vpr_bench.types.traverse import Traverse
 
 
-def traverse_digest(traverse: Traverse) -> str:
+def traverse_digest(traverse: Traverse, *, afresh: bool = False) -> str:
     """Return ``sha256:…`` over the name-sorted listing that ``sha256sum *`` prints for the traverse's files.
+
+    Parameters
+    ----------
+    traverse : Traverse
+        Its images.
+    afresh : bool
+        Read every file, and not only those that were touched since they were read last.
 
     Raises
     ------
@@ -21,31 +31,37 @@ def traverse_digest(traverse: Traverse) -> str:
         If a file cannot be read.
     """
     listing = hashlib.sha256()
-    for name, digest in sorted(_file_digests(traverse)):
+    for name, digest in sorted(_file_digests(traverse, None if afresh else cache_root() / "digests")):
         listing.update(f"{digest}  {name}\n".encode())
     return f"sha256:{listing.hexdigest()}"
 
 
-def case_digest(parts: Iterable[tuple[Traverse, NDArray[np.float64], str]]) -> str:
-    """Return one digest over traverses, each with its place labels and :func:`traverse_digest`.
+def case_digest(parts: Iterable[tuple[Recording, str]], given: GroundTruth | None = None) -> str:
+    """Return one digest over recordings, each with the :func:`traverse_digest` of its files, and what they share.
 
     The order of the images and what is done to them after decoding count too: a loader that is mended makes
     another case of the same files.
     """
     total = hashlib.sha256()
-    for traverse, labels, digest in parts:
+    for recording, digest in parts:
+        traverse, labels = recording.traverse, recording.labels
         names = [source.name if isinstance(source, Path) else str(source.shape) for source in traverse.sources]
         convert = getattr(traverse.convert, "__qualname__", repr(traverse.convert))
-        total.update(json.dumps([digest, names, convert, labels.shape]).encode())
-        total.update(np.ascontiguousarray(labels, dtype="<f8").tobytes())
+        total.update(json.dumps([digest, names, convert, None if labels is None else labels.shape]).encode())
+        if labels is not None:
+            total.update(np.ascontiguousarray(labels, dtype="<f8").tobytes())
+    for name, array in Places(given=given).arrays().items():
+        total.update(name.encode() + np.ascontiguousarray(array, dtype="<i8").tobytes())
     return f"sha256:{total.hexdigest()}"
 
 
-def _file_digests(traverse: Traverse) -> list[tuple[str, str]]:
-    digests = []
+def _file_digests(traverse: Traverse, cache: Path | None) -> list[tuple[str, str]]:
+    files = [source for source in traverse.sources if isinstance(source, Path)]
+    digests = iter(sha256_of_files(files, cache))
+    named = []
     for index, source in enumerate(traverse.sources):
         if isinstance(source, np.ndarray):
-            digests.append((f"{index:09d}", hashlib.sha256(source.tobytes()).hexdigest()))
+            named.append((f"{index:09d}", hashlib.sha256(source.tobytes()).hexdigest()))
         else:
-            digests.append((source.name, sha256_of_file(source).removeprefix("sha256:")))
-    return digests
+            named.append((source.name, next(digests).removeprefix("sha256:")))
+    return named

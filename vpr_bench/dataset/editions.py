@@ -12,9 +12,6 @@ from vpr_bench.files.disk import disk_errors
 from vpr_bench.files.lock import held
 from vpr_bench.registry import import_object
 
-EDITIONS = ("auto", "real", "simulated")
-"""``auto`` is ``real`` where the images are on disk, else ``simulated``; it is never downloaded unasked."""
-
 
 class Renderer(Protocol):
     """What a card's ``simulation.renderer`` makes from the card's ``simulation.options``."""
@@ -32,14 +29,15 @@ _DEPTH = 2  # archives nest the traverses in one folder, some in two
 _DEBRIS = ("__MACOSX",)  # repeats an archive's folders without their images
 
 
-def find_real(card: Card) -> Path | None:
-    """Return the folder under the data root that holds the dataset's traverse folders, or None.
+def find_images(card: Card, edition: str = "real") -> Path | None:
+    """Return the folder under the data root that holds an edition's traverse folders, or None.
 
     A folder that holds only some of them counts: a damaged dataset is an error, not a missing one.
     """
     root = data_root()
-    for name in [card.id, *card.folders]:
-        found = search(root / name, card)
+    names = next((one.folders for one in card.editions if one.name == edition), [card.id, *card.folders])
+    for name in names:
+        found = search(root / name, card.in_edition(edition))
         if found is not None:
             return found
     return None
@@ -60,37 +58,59 @@ def search(folder: Path, card: Card, depth: int = _DEPTH) -> Path | None:
     return None
 
 
-def resolve_edition(card: Card, edition: str) -> tuple[str, Path]:
-    """Choose the edition and return its name with the folder that holds its traverses.
+def choose_edition(card: Card, asked: str) -> str:
+    """Return the name of the edition to use; nothing is rendered yet.
 
     Parameters
     ----------
     card : Card
         The dataset.
-    edition : {"auto", "real", "simulated"}
-        What was asked for.
+    asked : str
+        ``real``, ``simulated``, another edition of the card, or ``auto``: ``real`` where the images are on disk,
+        else ``simulated``; it is never downloaded unasked.
 
     Raises
     ------
     UsageError
-        If there is no such edition, or the dataset has none that is simulated.
+        If there is no such edition.
     DataError
-        If the real images are needed and are not on disk.
+        If real images are needed and are not on disk.
     """
-    if edition not in EDITIONS:
-        raise UsageError(f"The edition must be one of {', '.join(EDITIONS)}. Got {edition!r} instead.")
-    if edition == "simulated" and card.simulation is None:
-        raise UsageError(f"The dataset {card.id!r} has no simulated edition. Use its real images.")
-    if edition != "simulated":
-        found = find_real(card)
-        if found is not None:
-            return "real", found
-    if edition == "real" or card.simulation is None:
-        raise DataError(
-            f"The real images of {card.id} are not under {data_root()}. "
-            f"Fetch them with `vpr-bench data fetch {card.id}`, or set VPR_BENCH_DATA to the folder that has them."
-        )
-    return "simulated", _rendered(card)
+    known = ["auto", *card.edition_names()]
+    if asked not in known:
+        raise UsageError(f"The edition of {card.id} must be one of {', '.join(known)}. Got {asked!r} instead.")
+    wanted = "real" if asked == "auto" else asked
+    if wanted != "simulated" and find_images(card, wanted) is None:
+        if asked == "auto" and card.simulation is not None:
+            return "simulated"
+        raise DataError(_missing(card, wanted))
+    return wanted
+
+
+def _missing(card: Card, edition: str) -> str:
+    """Say what to do about an edition of real images that is not on disk."""
+    named = next((one.folders for one in card.editions if one.name == edition), [card.id])
+    if edition == "real":
+        what, how = "real images", f"`vpr-bench data fetch {card.id}` fetches them or says how to get them; or "
+    else:
+        what, how = f"{edition} images", f"Put them into a folder {named[0]} there, or "
+    return f"The {what} of {card.id} are not under {data_root()}. {how}set VPR_BENCH_DATA to the folder that has them."
+
+
+def edition_folder(card: Card, edition: str) -> Path:
+    """Return the folder that holds the traverses of an edition that :func:`choose_edition` chose.
+
+    Raises
+    ------
+    DataError
+        If the images have gone meanwhile, or the simulated ones cannot be rendered.
+    """
+    if edition == "simulated":
+        return _rendered(card)
+    found = find_images(card, edition)
+    if found is None:
+        raise DataError(_missing(card, edition))
+    return found
 
 
 def _rendered(card: Card) -> Path:

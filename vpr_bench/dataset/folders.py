@@ -33,3 +33,10 @@ def cache_root() -> Path:
     import platformdirs
 
     return Path(platformdirs.user_cache_dir("vpr-bench", appauthor=False))
+
+
+def state_root() -> Path:
+    """Return the folder for what this machine has learnt and cannot make again, such as digests of first contact."""
+    import platformdirs
+
+    return Path(platformdirs.user_state_dir("vpr-bench", appauthor=False))

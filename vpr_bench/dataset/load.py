@@ -1,31 +1,37 @@
 """From a protocol to its images and place labels."""
 
+import hashlib
 import warnings
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_bench.dataset.card import Card, find_card
+from vpr_bench.dataset.card import Card, TraverseCard
 from vpr_bench.dataset.content import case_digest, traverse_digest
-from vpr_bench.dataset.editions import resolve_edition
+from vpr_bench.dataset.known import remember_digest, vouched_digest
+from vpr_bench.dataset.layout import find_layout
+from vpr_bench.dataset.parts import Part, parse_parts
+from vpr_bench.dataset.recording import Recording
 from vpr_bench.dataset.request import Request
+from vpr_bench.dataset.source import Source
 from vpr_bench.errors import DataError, UsageError, blaming
-from vpr_bench.registry import import_object
 from vpr_bench.types.ground_truth import GroundTruth
+from vpr_bench.types.places import Places
 from vpr_bench.types.protocol import Protocol, Unmatched
 from vpr_bench.types.traverse import Traverse
 
 
 class DatasetWarning(UserWarning):
-    """The images are not what one might take them for."""
+    """The images or their ground truth are not what one might take them for."""
 
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """One protocol with its images and place labels: all that a run needs.
+    """One protocol with its images and places: all that a run needs.
 
     Attributes
     ----------
@@ -33,43 +39,29 @@ class Case:
         What it is, edition included.
     references, queries : Traverse
         The map and what is looked up in it.
-    reference_labels, query_labels : (n,) or (n, 2) float64
-        Place labels in the protocol's unit. Methods never see them.
+    places : Places
+        Place labels, and what the dataset itself lists. Methods never see them.
     digest : str
-        ``sha256:…`` over the content of all image files and the labels.
+        ``sha256:…`` over the content of all image files and the places.
     folder : Path
         Holds the traverses.
+    reference_compass, query_compass : (n,) float64, optional
+        Where the cameras looked, in degrees clockwise from north, where the dataset says so.
     """
 
     protocol: Protocol
     references: Traverse
     queries: Traverse
-    reference_labels: NDArray[np.float64]
-    query_labels: NDArray[np.float64]
+    places: Places
     digest: str
     folder: Path
+    reference_compass: NDArray[np.float64] | None = None
+    query_compass: NDArray[np.float64] | None = None
 
     @cached_property
     def ground_truth(self) -> GroundTruth:
-        """Which references show the same place as each query, at the protocol's radius."""
-        return GroundTruth.from_radius(self.query_labels, self.reference_labels, self.protocol.radius)
-
-
-def check_radius(reference_labels: NDArray[np.float64], protocol: Protocol) -> None:
-    """Refuse a radius that makes every answer right.
-
-    Raises
-    ------
-    UsageError
-        If it reaches from one end of the map to the other.
-    """
-    several = len(reference_labels) > 1
-    extent = float(np.ptp(reference_labels, axis=0).max()) if several else float("inf")
-    if protocol.radius >= extent:
-        raise UsageError(
-            f"The radius {protocol.radius:g}{protocol.unit} reaches over the whole map "
-            f"({extent:g}{protocol.unit} from end to end): every answer would be right. Give a smaller one."
-        )
+        """Which references show the same place as each query, by the protocol."""
+        return self.places.ground_truth(self.protocol)
 
 
 def load_case(
@@ -84,11 +76,13 @@ def load_case(
     Parameters
     ----------
     dataset : str
-        Dataset id (``gardens``), with edition (``gardens:simulated``), or a whole protocol id.
+        Dataset id (``gardens``), with edition (``gardens:simulated``), a whole protocol id, or a folder of one's own.
     protocol : str, optional
-        One of the dataset's named protocols, ``references-queries``; by default its first.
-    edition : {"auto", "real", "simulated"}
-        ``auto`` takes the real images where they are on disk.
+        ``references-queries``, with ``@5nearest`` or the like where there are several; by default the dataset's
+        first. Parts of traverses (``summer.every10``) and joined ones (``summer+winter``) can be named too.
+    edition : str
+        ``real``, ``simulated``, another one of the dataset, or ``auto``, which takes the real images where they are
+        on disk.
     radius : float, optional
         Instead of the protocol's own, in its unit.
     unmatched : {"exclude", "miss", "reject"}, optional
@@ -103,22 +97,25 @@ def load_case(
         If images are missing or damaged.
     """
     asked = Request.parse(dataset, protocol, edition)
-    card = find_card(asked.dataset)
-    chosen = card.protocol(asked.pairing)
-    if asked.unit not in (None, card.unit):
-        raise UsageError(f"{dataset!r} is in {asked.unit!r}, but the place labels of {card.id} are in {card.unit!r}.")
-    radius = radius if radius is not None else asked.radius
-    chosen = replace(  # before the edition is resolved: a wrong radius must not cost a rendering
+    source = Source.find(asked)
+    chosen = source.card.protocol(asked.pairing, source.edition)
+    chosen = replace(  # before anything is rendered: a wrong radius must not cost that
         chosen,
         radius=chosen.radius if radius is None else radius,
         unmatched=unmatched or asked.unmatched or chosen.unmatched,
     )
-    name, folder = resolve_edition(card, asked.edition)
-    return load_from(card, replace(chosen, edition=name), folder)
+    return load_from(source.card, chosen, source.folder, foreign=source.foreign)
 
 
-def load_from(card: Card, protocol: Protocol, folder: Path) -> Case:
-    """Load a protocol whose edition has been chosen, from the folder that holds its traverses.
+def load_from(card: Card, protocol: Protocol, folder: Path, *, foreign: bool = False) -> Case:
+    """Load a protocol of a card that is in its edition, from the folder that holds its traverses.
+
+    Parameters
+    ----------
+    card, protocol, folder
+        What to load, and where it is.
+    foreign : bool
+        The images come from somebody else: warn if they are not the ones that are known.
 
     Raises
     ------
@@ -127,34 +124,88 @@ def load_from(card: Card, protocol: Protocol, folder: Path) -> Case:
     DataError
         If images are missing or damaged.
     """
-    references, reference_labels, reference_digest = load_traverse(card, protocol.references, protocol.edition, folder)
-    queries, query_labels, query_digest = load_traverse(card, protocol.queries, protocol.edition, folder)
-    digest = case_digest([(references, reference_labels, reference_digest), (queries, query_labels, query_digest)])
-    case = Case(protocol, references, queries, reference_labels, query_labels, digest, folder)
-    check_radius(reference_labels, protocol)
+    references, reference_digest = _load_parts(card, protocol, protocol.references, folder, foreign)
+    queries, query_digest = _load_parts(card, protocol, protocol.queries, folder, foreign)
+    given = _load_given(card, protocol, folder)
+    places = Places(queries.labels, references.labels, given)
+    places.check(protocol)
+    digest = case_digest([(references, reference_digest), (queries, query_digest)], given)
+    case = Case(
+        protocol, references.traverse, queries.traverse, places, digest, folder, references.compass, queries.compass
+    )
+    if protocol.unit != "given" and places.queries is None:
+        raise DataError(f"{card.id} has no place labels: write its protocols {protocol.pairing}@given.")
     return case
 
 
-def load_traverse(card: Card, name: str, edition: str, folder: Path) -> tuple[Traverse, NDArray[np.float64], str]:
-    """Load one traverse with its place labels and content digest.
+def load_traverse(card: Card, one: TraverseCard, folder: Path) -> Recording:
+    """Read one whole traverse through its layout.
 
-    Real images whose digest is not the card's are used all the same, with a warning: other copies exist, but
-    numbers measured on them may differ.
+    Raises
+    ------
+    DataError
+        If images are missing, or there are more or fewer than the card says.
     """
-    traverse_card = card.traverse(name)
-    loader = import_object(card.loader.function, f"The loader of {card.id}")
-    with blaming(f"The loader of {card.id} failed on {name}", DataError):
-        traverse, labels = loader(folder / traverse_card.path, traverse_card, **card.loader.options)
-    digest = traverse_digest(traverse)
-    if edition == "real" and traverse_card.digest not in (None, digest):
+    layout = find_layout(card.loader.layout)
+    with blaming(f"The layout {card.loader.layout!r} failed on {folder / one.path}", DataError):
+        return layout.load(folder / one.path, one, **{**card.loader.options, **one.options})
+
+
+def _load_parts(card: Card, protocol: Protocol, name: str, folder: Path, foreign: bool) -> tuple[Recording, str]:
+    """Load what a protocol calls its references or queries: a traverse, a part of one, or several joined."""
+    recordings, digests = [], []
+    for part in parse_parts(name):
+        one = card.traverse(part.traverse)
+        recording = load_traverse(card, one, folder)
+        digest = traverse_digest(recording.traverse)
+        if foreign:
+            _compare(one, digest, protocol.source, folder)
+        recordings.append(_part_of(recording, part))
+        digests.append(digest)
+    if len(recordings) == 1:
+        return recordings[0], digests[0]
+    with blaming(f"{name} cannot be joined", DataError):
+        return Recording.join(recordings), f"sha256:{hashlib.sha256(' '.join(digests).encode()).hexdigest()}"
+
+
+def _part_of(recording: Recording, part: Part) -> Recording:
+    return recording.subset(part.indices(len(recording))) if part.steps else recording
+
+
+def _load_given(card: Card, protocol: Protocol, folder: Path) -> GroundTruth | None:
+    """Load the ground truth that the dataset itself lists, whatever the protocol's unit: runs serve every unit."""
+    options = card.given_options(protocol.references, protocol.queries)
+    given = find_layout(card.loader.layout).given
+    if options is None:
+        return None
+    if given is None:
+        raise UsageError(f"The layout {card.loader.layout!r} of {card.id} reads no ground truth from files.")
+    parts = [parse_parts(name)[0] for name in (protocol.references, protocol.queries)]
+    recordings = [load_traverse(card, card.traverse(part.traverse), folder) for part in parts]
+    with blaming(f"The ground truth of {card.id} cannot be read", DataError):
+        truth: GroundTruth = given(folder, *recordings, **options)
+    taken: list[Any] = [
+        np.arange(len(recording))[list(part.indices(len(recording)))]
+        for part, recording in zip(parts, recordings, strict=True)
+    ]
+    return truth.take(taken[1]).transpose().take(taken[0]).transpose()
+
+
+def _compare(one: TraverseCard, digest: str, source: str, folder: Path) -> None:
+    """Warn of images that are not those the card knows or, where it knows none, those that were met first.
+
+    They are used all the same: other copies exist, but numbers measured on them may differ.
+    """
+    expected, whose = vouched_digest(one, source)
+    if expected is None:
+        remember_digest(f"{source}/{one.name}", digest, folder / one.path)
+    if expected not in (None, digest):
         warnings.warn(
-            f"{folder / traverse_card.path} is not the copy that the card of {card.id} knows: "
-            f"expected {_short(traverse_card.digest)}, found {_short(digest)}. Numbers may differ; "
-            f"see `vpr-bench data verify {card.id}`.",
+            f"{folder / one.path} is not the copy that {whose}: expected {_short(expected)}, found {_short(digest)}. "
+            f"Numbers may differ; see `vpr-bench data verify {source}`.",
             DatasetWarning,
             stacklevel=2,
         )
-    return traverse, labels, digest
 
 
 def _short(digest: str | None) -> str:

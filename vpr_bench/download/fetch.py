@@ -19,6 +19,7 @@ def fetch_archive(
     *,
     sha256: str | None,
     check: Callable[[Path], None] | None = None,
+    record: Callable[[str], None] | None = None,
     limits: Limits | None = None,
 ) -> Path:
     """Download an archive and unpack it as ``folder``, unless it is there already.
@@ -36,6 +37,8 @@ def fetch_archive(
         The archive's digest, as ``sha256:<hex>``; None: not known, nothing is verified.
     check
         Called with the temporary folder of unpacked files; raises :class:`DataError` to refuse them.
+    record
+        Called with the digest of an archive that was unpacked.
     limits
         How large the archive, and what it unpacks to, may be (default: ``Limits()``).
 
@@ -67,6 +70,8 @@ def fetch_archive(
             if sha256 is None or not isinstance(error, DiskError):  # else it is verified and used when there is room
                 archive.unlink(missing_ok=True)
             raise
+        if record is not None:
+            record(sha256_of_file(archive))
         archive.unlink(missing_ok=True)
     return folder
 

@@ -21,6 +21,8 @@ in accuracy               not counted   wrong       right if unanswered
 its pairs                 not counted   negatives   negatives
 ========================  ============  ==========  ===================
 
+An answer that is a soft match, neither right nor wrong, is passed over: the next one moves up, and counts.
+
 ``miss`` and ``reject`` therefore coincide for ``pr_auc_matched``, ``average_precision``, ``roc_auc`` and
 ``pr_auc_pairs``. All three coincide where every query has a true match.
 """
@@ -122,6 +124,8 @@ class Answers:
         ------
         ValueError
             If shapes differ or an index is outside the map.
+        UsageError
+            If all answers to a query are soft matches, so that its first answer that counts is not known.
         """
         n, n_references = ground_truth.n_queries, ground_truth.n_references
         if indices.ndim != 2 or indices.shape != scores.shape or indices.shape[1] == 0 or len(indices) != n:
@@ -131,15 +135,21 @@ class Answers:
             )
         if indices.size and (indices.min() < -1 or indices.max() >= n_references):
             raise ValueError(f"reference indices must lie in [0, {n_references}), or be -1 for no answer")
+        k = indices.shape[1]
+        cut_off = (indices[:, -1] >= 0) & (k < n_references)
+        if ground_truth.soft is not None:
+            indices, scores = _without(indices, scores, ground_truth.soft.contains(np.arange(n)[:, None], indices))
+        known = (indices >= 0).sum(axis=1)[cut_off].min(initial=NEVER)
+        if known == 0:
+            raise UsageError(f"All {k} answers to a query are soft matches: what comes next is not known. Raise --k.")
         hits = ground_truth.contains(np.arange(n)[:, None], indices)
-        cut_off = indices.shape[1] < n_references and bool((indices[:, -1] >= 0).any())
         answers = cls(
             correct=hits[:, 0],
             score=np.where(indices[:, 0] >= 0, scores[:, 0], -np.inf).astype(np.float64),
             has_match=ground_truth.has_match,
             rank=np.where(hits.any(axis=1), hits.argmax(axis=1), NEVER),
             unmatched=unmatched,
-            depth=indices.shape[1] if cut_off else NEVER,
+            depth=int(known),
         )
         return answers.take(np.flatnonzero(answers.has_match)) if unmatched == "exclude" else answers
 
@@ -177,3 +187,13 @@ class Answers:
         """True and false positives at every threshold; shared by the metrics that sweep one."""
         answered = self.answered
         return Counts.sweep(self.correct[answered], self.score[answered], self.weight[..., answered])
+
+
+def _without(
+    indices: NDArray[np.int64], scores: NDArray[np.floating], passed_over: NDArray[np.bool_]
+) -> tuple[NDArray[np.int64], NDArray[np.floating]]:
+    """Take answers out of (n, k) ranked ones: the others move up, and the end is padded."""
+    order = np.argsort(passed_over, axis=1, kind="stable")
+    gone = np.take_along_axis(passed_over, order, axis=1)
+    indices = np.where(gone, -1, np.take_along_axis(indices, order, axis=1))
+    return indices, np.where(gone, -np.inf, np.take_along_axis(scores, order, axis=1))

@@ -46,6 +46,7 @@ def pr_auc_pairs(
     scores : callable
         From a slice of queries to their scores, see ``Scores``.
     ground_truth : GroundTruth
+        Its soft pairs are left out.
     unmatched : {"exclude", "miss", "reject"}
         Whether the pairs of queries without a true match are left out (``exclude``) or are negatives.
     threads : int, optional
@@ -118,9 +119,14 @@ def _read(scores: Scores, ground_truth: GroundTruth, rows: slice) -> tuple[NDArr
     shape = (rows.stop - rows.start, ground_truth.n_references)
     if block.shape != shape:
         raise ValueError(f"the scores of queries {rows} must have shape {shape}. Got {block.shape} instead.")
-    offsets = ground_truth.offsets[rows.start : rows.stop + 1]
-    local = np.repeat(np.arange(shape[0]), np.diff(offsets))
-    return block, local * shape[1] + ground_truth.references[offsets[0] : offsets[-1]]
+    return block, _positions(ground_truth, rows)
+
+
+def _positions(pairs: GroundTruth, rows: slice) -> NDArray[np.int64]:
+    """Return where the pairs of some queries lie in their flattened block of scores."""
+    offsets = pairs.offsets[rows.start : rows.stop + 1]
+    local = np.repeat(np.arange(rows.stop - rows.start), np.diff(offsets))
+    return np.asarray(local * pairs.n_references + pairs.references[offsets[0] : offsets[-1]])
 
 
 def _true_scores(scores: Scores, ground_truth: GroundTruth, rows: slice) -> NDArray[np.float32]:
@@ -141,6 +147,8 @@ def _false_counts(
     block, true_pairs = _read(scores, ground_truth, rows)
     false = block.flatten()
     false[true_pairs] = -np.inf
+    if ground_truth.soft is not None:
+        false[_positions(ground_truth.soft, rows)] = -np.inf
     if unmatched == "exclude":
         false.reshape(block.shape)[~ground_truth.has_match[rows]] = -np.inf
     del block

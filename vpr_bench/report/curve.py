@@ -42,7 +42,7 @@ def draw_curve(rows: Sequence[Row], folder: Path) -> list[Path]:
         FigureCanvasAgg(figure)
         axes = figure.add_subplot()
         for row in rows:
-            truth = row.run.ground_truth(row.protocol.radius)
+            truth = row.run.places.ground_truth(row.protocol)
             answers = Answers.from_matches(row.run.indices, row.run.scores, truth, row.protocol.unmatched)
             curve = precision_recall_curve(answers)
             axes.plot(
@@ -66,4 +66,4 @@ def draw_curve(rows: Sequence[Row], folder: Path) -> list[Path]:
 
 def _reach(protocol: Protocol) -> str:
     unit = {"f": "frames", "m": "metres"}.get(protocol.unit)
-    return f"radius {protocol.radius:g} {unit}" if unit else "pairs"
+    return f"radius {protocol.radius:g} {unit}" if unit else protocol.reach

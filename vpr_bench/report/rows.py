@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 from vpr_bench.metrics.answers import Answers
@@ -10,7 +10,7 @@ from vpr_bench.metrics.bootstrap import bootstrap
 from vpr_bench.metrics.definitions import evaluate
 from vpr_bench.metrics.latency import latency
 from vpr_bench.runner.store import StoredRun
-from vpr_bench.types.protocol import Protocol, Unmatched
+from vpr_bench.types.protocol import Protocol
 
 HEADLINE = ("recall@1", "recall@5", "pr_auc", "pr_auc_matched")
 """The metrics of the tables that ``run`` and ``show`` print."""
@@ -71,8 +71,7 @@ class Row:
 def score_run(
     run: StoredRun,
     metrics: Sequence[str] = HEADLINE,
-    radius: float | None = None,
-    unmatched: Unmatched | None = None,
+    protocol: Protocol | None = None,
     resamples: int = 0,
 ) -> Row:
     """Compute metrics from what a run stored; the method is not asked again.
@@ -83,22 +82,18 @@ def score_run(
         A complete run.
     metrics : sequence of str
         Metric ids.
-    radius : float, optional
-        Instead of the one that the run was asked for.
-    unmatched : {"exclude", "miss", "reject"}, optional
-        Instead of the policy that the run was asked for.
+    protocol : Protocol, optional
+        Instead of the one that the run was asked for: another radius, unit or policy, but the same images.
     resamples : int
         Of the bootstrap; 0 for no intervals.
 
     Raises
     ------
     UsageError
-        If a metric is unknown or the radius is negative or not a number.
+        If a metric is unknown, or the run's places do not say what is right in this protocol.
     """
-    protocol = run.protocol if radius is None else run.protocol.with_radius(radius)
-    if unmatched is not None:
-        protocol = replace(protocol, unmatched=unmatched)
-    truth = run.ground_truth(protocol.radius)
+    protocol = protocol or run.protocol
+    truth = run.places.ground_truth(protocol)
     values = evaluate(metrics, run.indices, run.scores, truth, protocol.unmatched)
     intervals = {}
     if resamples:

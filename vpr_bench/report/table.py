@@ -46,13 +46,14 @@ def render_tables(rows: Sequence[Row], cards: dict[str, Card]) -> RenderableType
 
 
 def published_for(card: Card, protocol: Protocol) -> list[Published]:
-    """Return the published numbers of a protocol: same pairing, and the same radius where one is stated."""
+    """Return the published numbers of a protocol: same pairing, and the same reach where one is stated."""
     if protocol.edition != "real":
         return []
     return [
         one
         for one in card.published
-        if f"{one.references}-{one.queries}" == protocol.pairing and one.radius in (None, protocol.radius)
+        if f"{one.references}-{one.queries}" == protocol.pairing
+        and (one.radius is None or (one.radius, one.unit or card.unit) == (protocol.radius, protocol.unit))
     ]
 
 

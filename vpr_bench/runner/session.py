@@ -49,7 +49,7 @@ def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path) -> None:
         _ask(case, method, built, key, table, work / _ANSWERS)
     write_arrays(work / MATCHES, table.match_arrays())
     write_arrays(work / TIMINGS, table.timing_arrays())
-    write_arrays(work / LABELS, {"queries": case.query_labels, "references": case.reference_labels})
+    write_arrays(work / LABELS, case.places.arrays())
     record = RunRecord(
         key=key,
         protocol=str(case.protocol),

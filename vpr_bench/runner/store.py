@@ -14,14 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_bench.dataset.load import check_radius
-from vpr_bench.errors import DamagedError, DataError
+from vpr_bench.errors import DamagedError, DataError, blaming
 from vpr_bench.files.atomic import read_arrays
 from vpr_bench.files.digest import sha256_of_file
 from vpr_bench.files.lock import held
 from vpr_bench.runner.answers import SECONDS
 from vpr_bench.runner.record import RunKey, RunRecord, read_record
-from vpr_bench.types.ground_truth import GroundTruth
+from vpr_bench.types.places import Places
 from vpr_bench.types.protocol import Protocol
 
 RECORD, MATCHES, TIMINGS, LABELS = "run.json", "matches.npz", "timings.npz", "labels.npz"
@@ -90,17 +89,18 @@ class StoredRun:
         """(n, k) float32: their scores, padded with -inf."""
         return self._matches["scores"].astype(np.float32, copy=False)
 
-    def ground_truth(self, radius: float) -> GroundTruth:
-        """Return which references are right for the queries that were asked, at any radius.
+    @cached_property
+    def places(self) -> Places:
+        """The places of the queries that were asked, and of the references.
 
         Raises
         ------
-        UsageError
-            If the radius is negative, not a number, or reaches over the whole map.
+        DataError
+            If they cannot be read.
         """
-        labels = read_arrays(self.folder / LABELS, "queries", "references")
-        check_radius(labels["references"], self.protocol.with_radius(radius))
-        return GroundTruth.from_radius(labels["queries"][self.queries], labels["references"], radius)
+        path = self.folder / LABELS
+        with blaming(f"{path} is damaged", DataError):
+            return Places.from_arrays(read_arrays(path)).take(self.queries)
 
     @cached_property
     def seconds(self) -> dict[str, NDArray[np.float64]]:

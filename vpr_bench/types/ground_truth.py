@@ -1,7 +1,7 @@
 """Which references show the same place as a query: the thesis's conversion of many classes to two (4.4)."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,6 +21,9 @@ class GroundTruth:
         Reference indices, ascending and unique within each query, in ``[0, n_references)``.
     n_references : int
         How many references the map has.
+    soft : GroundTruth, optional
+        Pairs that are neither right nor wrong, such as places that are seen from too far away to be sure: an
+        answer among them is passed over, as if it had not been given. They hold none of the pairs above.
 
     Examples
     --------
@@ -32,9 +35,22 @@ class GroundTruth:
     offsets: NDArray[np.int64]
     references: NDArray[np.int64]
     n_references: int
+    soft: "GroundTruth | None" = None
 
     def __post_init__(self) -> None:
         """Check the structure, so that a ground truth that exists is a valid one."""
+        self._check_structure()
+        if self.soft is not None:
+            soft = self.soft
+            if (soft.n_queries, soft.n_references) != (self.n_queries, self.n_references):
+                raise ValueError(
+                    f"soft matches relate {soft.n_queries} queries to {soft.n_references} references, "
+                    f"the others {self.n_queries} to {self.n_references}"
+                )
+            if self.contains(soft.query_of_pair, soft.references).any():
+                raise ValueError("a pair cannot be right and soft at once")
+
+    def _check_structure(self) -> None:
         offsets, references = self.offsets, self.references
         if offsets.ndim != 1 or len(offsets) == 0 or offsets[0] != 0 or offsets[-1] != len(references):
             raise ValueError(f"offsets must run from 0 to {len(references)}, the number of pairs")
@@ -149,6 +165,21 @@ class GroundTruth:
                 raise ValueError("the ground truth is not symmetric: the lists of the two directions differ")
         return truth
 
+    def with_soft(self, soft: "GroundTruth") -> "GroundTruth":
+        """Return the same ground truth with pairs that are neither right nor wrong; those that are right stay right."""
+        rows, columns = soft.query_of_pair, soft.references
+        open_ = ~self.contains(rows, columns)
+        return replace(
+            self, soft=GroundTruth.from_pairs(rows[open_], columns[open_], soft.n_queries, soft.n_references)
+        )
+
+    def take(self, queries: ArrayLike) -> "GroundTruth":
+        """Return the ground truth of some of the queries, in that order."""
+        chosen = np.asarray(queries, dtype=np.int64)
+        rows, pairs = _expand(self.offsets[chosen], self.offsets[chosen + 1])
+        taken = GroundTruth.from_pairs(rows, self.references[pairs], len(chosen), self.n_references)
+        return taken if self.soft is None else taken.with_soft(self.soft.take(chosen))
+
     @property
     def n_queries(self) -> int:
         """How many queries there are."""
@@ -173,6 +204,7 @@ class GroundTruth:
             self.n_references == other.n_references
             and np.array_equal(self.offsets, other.offsets)
             and np.array_equal(self.references, other.references)
+            and self.soft == other.soft
         )
 
     __hash__ = None  # type: ignore[assignment]
@@ -205,7 +237,8 @@ class GroundTruth:
 
     def transpose(self) -> "GroundTruth":
         """Swap the roles of queries and references."""
-        return GroundTruth.from_pairs(self.references, self.query_of_pair, self.n_references, self.n_queries)
+        swapped = GroundTruth.from_pairs(self.references, self.query_of_pair, self.n_references, self.n_queries)
+        return swapped if self.soft is None else swapped.with_soft(self.soft.transpose())
 
 
 def _as_columns(labels: ArrayLike) -> NDArray[np.float64]:

@@ -11,8 +11,15 @@ from typing import Any, Literal, get_args
 
 from vpr_bench.errors import UsageError
 
-Unit = Literal["f", "m", "pair"]
-"""Frames, metres, or pair ids (equal or not; the radius is then 0 and not written)."""
+Unit = Literal["f", "m", "nearest", "pair", "given"]
+"""What the radius is measured in: frames, metres, or how many of the ``nearest`` references are the same place.
+
+With ``pair`` the labels are ids, equal or not, and with ``given`` a file of the dataset lists the pairs: there is
+no radius then; it is 0 and not written.
+"""
+
+UNMEASURED: tuple[Unit, ...] = ("pair", "given")
+"""The units without a radius."""
 
 Unmatched = Literal["exclude", "miss", "reject"]
 """What becomes of a query that has no true match (see ``vpr_bench.metrics.answers``)."""
@@ -21,7 +28,7 @@ _NAME = r"[a-z0-9][a-z0-9._]*"
 _PATTERN = re.compile(
     rf"(?P<dataset>[a-z0-9][a-z0-9-]*)(:(?P<edition>{_NAME}))?"
     rf"/(?P<references>{_NAME}(\+{_NAME})*)-(?P<queries>{_NAME}(\+{_NAME})*)"
-    r"@((?P<radius>[0-9.e+-]+)(?P<unit>f|m)|(?P<pair>pair))"
+    r"@((?P<radius>[0-9.e+-]+)(?P<unit>f|m|nearest)|(?P<unmeasured>pair|given))"
     r"(~(?P<unmatched>[a-z]+))?"
 )
 
@@ -35,11 +42,12 @@ class Protocol:
     dataset : str
         Dataset id, for example ``gardens``.
     references, queries : str
-        Traverse names; several joined by ``+``.
+        Traverse names; several joined by ``+``, parts of one as ``summer.every10`` (see ``vpr_bench.dataset.parts``).
     radius : float
-        How far apart two place labels may be and still be the same place, inclusive.
-    unit : {"f", "m", "pair"}
-        The unit of the radius: frames, metres, or pair ids.
+        How far apart two place labels may be and still be the same place, inclusive; with the unit ``nearest``,
+        how many of the nearest references are.
+    unit : {"f", "m", "nearest", "pair", "given"}
+        The unit of the radius.
     edition : str
         Where the images come from; ``real`` is not written in the id.
     unmatched : {"exclude", "miss", "reject"}
@@ -76,16 +84,25 @@ class Protocol:
             raise UsageError(
                 f"The unmatched policy must be one of {', '.join(get_args(Unmatched))}. Got {self.unmatched!r} instead."
             )
-        if self.unit == "pair" and self.radius != 0:
-            raise UsageError(f"Pair labels have no radius: it must be 0. Got {self.radius:g} instead.")
+        if self.unit in UNMEASURED and self.radius != 0:
+            what = "Pair labels have" if self.unit == "pair" else "A given ground truth has"
+            raise UsageError(f"{what} no radius: it must be 0. Got {self.radius:g} instead.")
+        if self.unit == "nearest" and (self.radius < 1 or not self.radius.is_integer()):
+            raise UsageError(
+                f"The number of nearest references must be whole, at least 1. Got {self.radius:g} instead."
+            )
         if _PATTERN.fullmatch(str(self)) is None:
             raise UsageError(f"{str(self)!r} is not a protocol: names are lower-case letters, digits, '_', '.'.")
 
     def __str__(self) -> str:
         """Return the canonical id."""
-        reach = "pair" if self.unit == "pair" else f"{_shortest(self.radius)}{self.unit}"
         policy = "" if self.unmatched == "exclude" else f"~{self.unmatched}"
-        return f"{self.source}/{self.pairing}@{reach}{policy}"
+        return f"{self.source}/{self.pairing}@{self.reach}{policy}"
+
+    @property
+    def reach(self) -> str:
+        """The radius with its unit, as written in the id: ``2f``, ``25m``, ``5nearest``, ``pair`` or ``given``."""
+        return self.unit if self.unit in UNMEASURED else f"{_shortest(self.radius)}{self.unit}"
 
     @property
     def source(self) -> str:
@@ -118,10 +135,10 @@ class Protocol:
             )
         part = found.groupdict()
         try:
-            radius = 0.0 if part["pair"] else float(part["radius"])
+            radius = 0.0 if part["unmeasured"] else float(part["radius"])
         except ValueError:
             raise UsageError(f"{part['radius']!r} in {text!r} is not a number.") from None
-        unit: Any = "pair" if part["pair"] else part["unit"]  # the pattern and __post_init__ check both
+        unit: Any = part["unmeasured"] or part["unit"]  # the pattern and __post_init__ check both
         unmatched: Any = part["unmatched"] or "exclude"
         return cls(
             dataset=part["dataset"],

@@ -42,6 +42,7 @@ class Traverse(Sequence[NDArray[np.uint8]]):
         self.name = name
         self.sources = tuple(sources)
         self.convert = convert
+        self._parts: tuple[tuple[str, int], ...] = ((name, len(self.sources)),)
 
     def __len__(self) -> int:
         """Return the number of images."""
@@ -72,6 +73,38 @@ class Traverse(Sequence[NDArray[np.uint8]]):
     def subset(self, indices: ArrayLike) -> "Traverse":
         """Take the images at ``indices``, in that order, without decoding them."""
         return Traverse(self.name, [self.sources[index] for index in np.asarray(indices)], self.convert)
+
+    @classmethod
+    def join(cls, parts: Sequence["Traverse"]) -> "Traverse":
+        """Put traverses one behind the other, as one map; :meth:`split` takes them apart again.
+
+        Raises
+        ------
+        ValueError
+            If there is none, or their images need different conversions.
+
+        Examples
+        --------
+        >>> image = np.zeros((4, 6, 3), np.uint8)
+        >>> joined = Traverse.join([Traverse("summer", [image] * 2), Traverse("winter", [image])])
+        >>> joined, joined.split()
+        (Traverse('summer+winter', 3 images), [Traverse('summer', 2 images), Traverse('winter', 1 images)])
+        """
+        pieces = [piece for part in parts for piece in part.split()]
+        if not pieces or any(piece.convert != pieces[0].convert for piece in pieces):
+            raise ValueError("traverses can be joined if there are some and all are converted alike")
+        name = "+".join(piece.name for piece in pieces)
+        joined = cls(name, [source for piece in pieces for source in piece.sources], pieces[0].convert)
+        joined._parts = tuple((piece.name, len(piece)) for piece in pieces)
+        return joined
+
+    def split(self) -> "list[Traverse]":
+        """Return the traverses that were joined; one that was not is returned alone."""
+        starts = np.cumsum([0, *(length for _, length in self._parts)]).tolist()
+        return [
+            Traverse(name, self.sources[start : start + length], self.convert)
+            for (name, length), start in zip(self._parts, starts, strict=False)
+        ]
 
     def name_of(self, index: int) -> str:
         """Return what to call image ``index`` in messages: its file name, else the traverse and number."""

@@ -9,6 +9,8 @@ from pydantic import ValidationError
 
 from vpr_bench.errors import DataError, first_fault
 from vpr_datasets.simulation import SIMULATION_VERSION, SimulationSpec, render
+from vpr_datasets.simulation.beside import WRITERS
+from vpr_datasets.simulation.files import Files
 
 
 class SimulatedEdition:
@@ -17,7 +19,8 @@ class SimulatedEdition:
     Parameters
     ----------
     options : mapping
-        The fields of :class:`~vpr_datasets.simulation.spec.SimulationSpec`.
+        The fields of :class:`~vpr_datasets.simulation.spec.SimulationSpec` and of
+        :class:`~vpr_datasets.simulation.files.Files`.
 
     Raises
     ------
@@ -26,16 +29,26 @@ class SimulatedEdition:
     """
 
     def __init__(self, options: Mapping[str, Any]) -> None:
+        naming = {key: value for key, value in options.items() if key in Files.model_fields}
         try:
-            self.spec = SimulationSpec.model_validate(options)
+            self.spec = SimulationSpec.model_validate({key: options[key] for key in options if key not in naming})
+            self.files = Files.model_validate(naming)
         except ValidationError as error:
             raise DataError(f"The card's simulation is not valid: {first_fault(error)}.") from None
+        unknown = [kind for kind in self.files.beside if kind not in WRITERS]
+        if unknown:
+            known = ", ".join(WRITERS)
+            raise DataError(f"The card's simulation is not valid: beside: {unknown[0]!r} is none of {known}.")
+        if self.spec.bayer is not None and not self.files.lossless:
+            raise DataError("The card's simulation is not valid: pattern: raw pictures are stored as .png only.")
 
     def fingerprint(self) -> str:
-        """Return what changes whenever a pixel does: a digest of the description and the renderer's version."""
-        described = f"{SIMULATION_VERSION} {self.spec.model_dump_json()}"
+        """Return what changes whenever a pixel or a name does: a digest of the description and the version."""
+        described = f"{SIMULATION_VERSION} {self.spec.model_dump_json()} {self.files.model_dump_json()}"
         return hashlib.sha256(described.encode()).hexdigest()[:12]
 
     def render(self, folder: Path) -> None:
-        """Write every image into ``folder``."""
-        render(self.spec, folder)
+        """Write every image into ``folder``, and what the dataset has beside them."""
+        render(self.spec, folder, files=self.files)
+        for kind in self.files.beside:
+            WRITERS[kind](self.spec, Path(folder), self.files)

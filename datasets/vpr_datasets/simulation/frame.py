@@ -6,17 +6,12 @@ from numpy.typing import NDArray
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.raster import Buffers, draw_sky, draw_slab, draw_walls
 from vpr_datasets.simulation.scene import Scene, build_scene
+from vpr_datasets.simulation.scenes import SCENES
 from vpr_datasets.simulation.sensor import develop, illuminate
 from vpr_datasets.simulation.sky import RISE
 from vpr_datasets.simulation.spec import SimulationSpec
 from vpr_datasets.simulation.stage import Slab, Stage, Walls
-from vpr_datasets.simulation.view import View, view_at
-
-REACH = 95.0
-"""How far walls are drawn, in metres."""
-
-SLAB_REACH = 45.0
-"""How far level pieces but the ground are drawn, in metres."""
+from vpr_datasets.simulation.view import View, place_at, view_at
 
 
 def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint8]:
@@ -40,26 +35,32 @@ def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint
     if not 0 <= index < frames:
         raise ValueError(f"frame index must be in [0, {frames}), got {index}")
     scene = build_scene(spec, name)
+    dice = Dice(spec.seed, traverse.seed, traverse.name, "sensor", index)
+    place = place_at(spec, traverse, index)
+    if any(start <= place < stop for start, stop in scene.tunnels):
+        return develop(np.zeros((spec.height, spec.width, 3), dtype=np.uint16), traverse, dice)
+    setting = SCENES[spec.scene].SETTING
     view = view_at(spec, traverse, scene.course, index)
     buffers = Buffers.empty(scene.jitter)
-    draw_walls(buffers, view, _passers(scene, traverse.start, spec.step_of(traverse), index), REACH)
-    draw_walls(buffers, view, scene.walls, REACH)
-    draw_slab(buffers, view, scene.ground, REACH)
-    for slab in _slabs_near(scene, view):
-        draw_slab(buffers, view, slab, SLAB_REACH)
+    draw_walls(buffers, view, _passers(scene, traverse.start, spec.step_of(traverse), index), setting.reach)
+    draw_walls(buffers, view, scene.walls, setting.reach)
+    for ground in scene.grounds:
+        draw_slab(buffers, view, ground, setting.reach)
+    for slab in _slabs_near(scene, view, setting.slab_reach):
+        draw_slab(buffers, view, slab, setting.slab_reach)
     draw_sky(buffers, view, scene.sky, RISE)
     light = illuminate(buffers, view, scene.grid, traverse.light)
-    return develop(light, traverse, Dice(spec.seed, traverse.seed, traverse.name, "sensor", index))
+    return develop(light, traverse, dice)
 
 
-def _slabs_near(scene: Scene, view: View) -> list[Slab]:
+def _slabs_near(scene: Scene, view: View, reach: float) -> list[Slab]:
     """Return the level pieces ahead that are large enough to be seen."""
     near = []
     for slab in scene.slabs:
         x, y = slab.corner[0] - view.x, slab.corner[1] - view.y
         deep = x * view.forward[0] + y * view.forward[1]
         size = slab.length + slab.width
-        if -size < deep < min(SLAB_REACH, 14.0 * size):
+        if -size < deep < min(reach, 14.0 * size):
             near.append(slab)
     return near
 

@@ -1,80 +1,43 @@
-"""The ground: what it is made of, painted from above."""
-
-from collections.abc import Callable
+"""The ground, painted from above."""
 
 import numpy as np
 from numpy.typing import NDArray
 
 from vpr_datasets.simulation.chance import Dice
-from vpr_datasets.simulation.materials import blocks
+from vpr_datasets.simulation.floors import MATERIALS, TILE, paint_tiles, snow_holds
 from vpr_datasets.simulation.noise import value_noise
 from vpr_datasets.simulation.path import GRID, Course
+from vpr_datasets.simulation.setting import Setting
 from vpr_datasets.simulation.spec import Season
 from vpr_datasets.simulation.stage import Floor, Slab
-from vpr_datasets.simulation.texture import SURFACE, Canvas, Colour, bake
+from vpr_datasets.simulation.texture import SURFACE, bake
 
-DENSITY = 12.0
-"""Texels per metre."""
-
-TILE = 16.0
-"""Side of the square of material that is repeated, in metres."""
-
-MARGIN = 30.0
-"""How far the painted ground reaches to either side of the path, in metres."""
-
-GRASS: dict[Season, Colour] = {
-    "spring": (118, 152, 74),
-    "summer": (104, 130, 66),
-    "autumn": (138, 130, 70),
-    "winter": (150, 146, 116),
-}
+LAND_DENSITY = 1.6
+"""Texels per metre of the land beyond the ground."""
 
 
-def _stones(course: float, length: float, amount: int, joint: int) -> Callable[[Canvas, Dice], None]:
-    def lay(canvas: Canvas, dice: Dice) -> None:
-        canvas.speckle(dice, 22)
-        canvas.speckle(dice, 14, 3.0)
-        blocks(canvas, dice, course, length, amount, joint)
-
-    return lay
-
-
-def _loose(amount: int, cell: float) -> Callable[[Canvas, Dice], None]:
-    def strew(canvas: Canvas, dice: Dice) -> None:
-        canvas.speckle(dice, amount)
-        canvas.speckle(dice, amount, cell)
-
-    return strew
+def paint_grounds(seed: int, season: Season, course: Course, floors: list[Floor], setting: Setting) -> list[Slab]:
+    """Paint the ground along the whole course, and the land beyond it where the setting has any."""
+    snow = setting.snow.get(season, 0.0)
+    grounds = [_paint(seed, season, course, floors, setting.density, setting.margin, 0.0, setting, snow)]
+    if setting.land:
+        # A little lower, so that it is hidden wherever the ground is.
+        grounds.append(_paint(seed, season, course, floors, LAND_DENSITY, setting.land, -0.05, setting, snow))
+    return grounds
 
 
-MATERIALS: dict[str, tuple[Colour, Callable[[Canvas, Dice], None]]] = {
-    "asphalt": ((98, 98, 100), _loose(22, 2.0)),
-    "concrete": ((176, 172, 162), _stones(2.0, 2.0, 10, 40)),
-    "slabs": ((186, 178, 162), _stones(0.8, 0.8, 26, 44)),
-    "large slabs": ((160, 164, 164), _stones(1.2, 2.4, 24, 48)),
-    "brick": ((152, 112, 94), _stones(0.25, 0.5, 36, 30)),
-    "boards": ((140, 108, 78), _stones(0.25, 20.0, 30, 60)),
-    "cobbles": ((128, 124, 118), _stones(0.34, 0.34, 44, 44)),
-    "tiles": ((206, 200, 188), _stones(0.6, 0.6, 22, 30)),
-    "gravel": ((182, 168, 142), _loose(40, 0.8)),
-    "grass": ((104, 130, 66), _loose(46, 1.2)),
-    "mulch": ((112, 84, 62), _loose(48, 0.6)),
-}
-"""Colour and pattern of every material; grass takes its colour from the season."""
-
-
-def _tiles(seed: int, season: Season) -> NDArray[np.uint8]:
-    """Paint one (T, T, 3) tile of each material; together (M, T, T, 3) uint8."""
-    tiles = []
-    for name, (colour, pattern) in MATERIALS.items():
-        canvas = Canvas(TILE, TILE, DENSITY, GRASS[season] if name == "grass" else colour)
-        pattern(canvas, Dice(seed, "floor", name))
-        tiles.append(canvas.rgb)
-    return np.stack(tiles)
-
-
-def paint_ground(seed: int, season: Season, course: Course, floors: list[Floor]) -> Slab:
-    """Paint the ground along the whole course as one slab at level 0."""
+def _paint(
+    seed: int,
+    season: Season,
+    course: Course,
+    floors: list[Floor],
+    density: float,
+    margin: float,
+    level: float,
+    setting: Setting,
+    snow: float,
+) -> Slab:
+    """Paint one level slab that reaches ``margin`` metres to either side."""
     names = list(MATERIALS)
     knots = len(course.y)
     middle, left, right = (np.zeros(knots, dtype=np.int64) for _ in range(3))
@@ -83,11 +46,11 @@ def paint_ground(seed: int, season: Season, course: Course, floors: list[Floor])
         part = slice(*np.searchsorted(course.arc, (floor.start, floor.stop)).tolist())
         middle[part], left[part], right[part] = (names.index(name) for name in (floor.middle, floor.left, floor.right))
         half[part] = floor.half
-    low, high = float(course.y.min()) - MARGIN, float(course.y.max()) + MARGIN
+    low, high = float(course.y.min()) - margin, float(course.y.max()) + margin
     length, width = (knots - 1) * GRID, high - low
-    columns, rows = int(length * DENSITY), int(width * DENSITY)
-    x = (np.arange(columns) + 0.5) / DENSITY
-    y = low + (np.arange(rows)[:, None] + 0.5) / DENSITY
+    columns, rows = int(length * density), int(width * density)
+    x = (np.arange(columns) + 0.5) / density
+    y = low + (np.arange(rows)[:, None] + 0.5) / density
     index = (x / GRID).astype(np.int64)
     slope = course.slope[index]
     norm = np.sqrt(1.0 + slope * slope)
@@ -97,16 +60,29 @@ def paint_ground(seed: int, season: Season, course: Course, floors: list[Floor])
     ahead = x + aside * slope / norm
     foot = np.minimum(np.maximum((ahead / GRID).astype(np.int64), 0), knots - 1)
     reach = half[foot]
-    size = np.int64(TILE * DENSITY)
-    along = ((course.arc[foot] + (ahead - foot * GRID) * norm + 64.0) * DENSITY).astype(np.int64)
+    tiles = paint_tiles(seed, season, density)
+    size = np.int64(tiles.shape[1])
+    along = ((course.arc[foot] + (ahead - foot * GRID) * norm + 64.0) * density).astype(np.int64)
     kind = np.where(aside > 0, left[foot], right[foot])
     inside = np.abs(aside) < reach
     kind = np.where(inside, middle[foot], kind)
-    place = (kind * size + ((aside + 512.0) * DENSITY).astype(np.int64) % size) * size + along % size
-    rgb = _tiles(seed, season).reshape(-1, 3)[place.reshape(-1)].reshape(rows, columns, 3)
-    kerb = np.abs(np.abs(aside) - reach) < 0.1
-    rgb[kerb] = (172, 168, 160)
-    worn = value_noise(Dice(seed, "worn"), rows, columns, 64, 4)
+    place = (kind * size + ((aside + 32 * TILE) * density).astype(np.int64) % size) * size + along % size
+    rgb = tiles.reshape(-1, 3)[place.reshape(-1)].reshape(rows, columns, 3)
+    if setting.kerb is not None:
+        kerb = np.abs(np.abs(aside) - reach) < 0.1
+        rgb[kerb] = setting.kerb
+    blot = max(int(density * 16 / 3), 2)
+    worn = value_noise(Dice(seed, "worn"), rows, columns, blot, 4)
     rgb -= (np.minimum(rgb, 60) * (worn[..., None] >> 4) >> 4).astype(np.uint8)
+    if snow:
+        _cover(rgb, worn, snow_holds(density).reshape(-1)[place.reshape(-1)].reshape(rows, columns), snow)
     ink = np.full((rows, columns), SURFACE, dtype=np.uint8)
-    return Slab((course.start, low), (1.0, 0.0), columns / DENSITY, rows / DENSITY, 0.0, bake(rgb, ink))
+    return Slab((course.start, low), (1.0, 0.0), columns / density, rows / density, level, bake(rgb, ink))
+
+
+def _cover(rgb: NDArray[np.uint8], noise: NDArray[np.uint8], holds: NDArray[np.uint8], snow: float) -> None:
+    """Lay snow on what is painted: it stays longest where the noise is high, and where it is sheltered."""
+    depth = noise.astype(np.int32) * holds // 255 - int(182 - 140 * snow)
+    share = np.minimum(np.maximum(depth * 12, 0), 236)[..., None]
+    white = np.array((232, 236, 242), dtype=np.int32) + (noise[..., None].astype(np.int32) - 128 >> 3)
+    rgb[:] = (rgb * (256 - share) + np.minimum(white, 255) * share >> 8).astype(np.uint8)

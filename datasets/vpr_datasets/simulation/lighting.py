@@ -27,13 +27,16 @@ MARGIN = 36.0
 """How far the grid reaches to either side of the path, in metres."""
 
 SUN: Point = (0.55, -0.75)
-"""Metres by which a shadow shifts for every metre of height."""
+"""Metres by which a shadow shifts for every metre of height, unless a traverse says otherwise."""
 
-AMBIENT = {"day": 126, "dusk": 112, "night": 13}
-COVERED = {"day": 84, "dusk": 70, "night": 8}
+AMBIENT = {"day": 126, "overcast": 206, "dusk": 112, "night": 13}
+COVERED = {"day": 84, "overcast": 128, "dusk": 70, "night": 8}
 """Light where no sun and no lamp reaches: in the open, and below a roof."""
 
 SUNLIT = 228
+
+DIM = 172
+"""Light under a grey sky at the foot of what keeps half of the sky away."""
 
 
 @dataclass(frozen=True)
@@ -45,20 +48,22 @@ class Grid:
     cells: NDArray[np.uint8]
 
 
-def light_grid(light: Light, course: Course, shades: list[Shade], lamps: list[Lamp]) -> Grid:
-    """Work out the light in a scene."""
+def light_grid(light: Light, course: Course, shades: list[Shade], lamps: list[Lamp], sun: Point = SUN) -> Grid:
+    """Work out the light in a scene; ``sun`` says how far shadows shift for every metre of height."""
     x, y = course.start, float(course.y.min()) - MARGIN
     columns = floor(len(course.y) * GRID / CELL) + 1
     rows = floor((float(course.y.max()) + MARGIN - y) / CELL) + 1
     base = SUNLIT if light == "day" else AMBIENT[light]
     cells = np.full((LAYERS, rows, columns), base, dtype=np.uint8)
     if light == "day":
-        _cast_shadows(cells, (x, y), [shade for shade in shades if not shade.roof])
+        _cast_shadows(cells, (x, y), [shade for shade in shades if not shade.roof], sun, AMBIENT["day"])
+    if light == "overcast":
+        _cast_shadows(cells, (x, y), [shade for shade in shades if not shade.roof], (0.0, 0.0), DIM)
     _cover(cells, (x, y), [shade for shade in shades if shade.roof], light)
     for layer in range(LAYERS):
         # The sun is not a point, nor are lamps: shadows have soft edges.
         cells[layer] = box_sum(cells[layer], 1) // 9
-    if light != "day":
+    if light in ("dusk", "night"):
         np.maximum(cells, _pools(cells.shape, (x, y), lamps), out=cells)
     return Grid(x, y, cells)
 
@@ -69,14 +74,14 @@ def _outline(points: list[Point], origin: Point) -> NDArray[np.int32]:
     return np.asarray(cv2.convexHull(np.array(cells, dtype=np.int32)))
 
 
-def _cast_shadows(cells: NDArray[np.uint8], origin: Point, shades: list[Shade]) -> None:
+def _cast_shadows(cells: NDArray[np.uint8], origin: Point, shades: list[Shade], sun: Point, value: int) -> None:
     for layer in range(LAYERS):
         level = (layer + 0.5) * LAYER
         for shade in shades:
             if shade.high > level:
                 lifts = max(shade.low - level, 0.0), shade.high - level
-                points = [(x + SUN[0] * lift, y + SUN[1] * lift) for lift in lifts for x, y in shade.outline]
-                cv2.fillConvexPoly(cells[layer], _outline(points, origin), [AMBIENT["day"]])
+                points = [(x + sun[0] * lift, y + sun[1] * lift) for lift in lifts for x, y in shade.outline]
+                cv2.fillConvexPoly(cells[layer], _outline(points, origin), [value])
 
 
 def _cover(cells: NDArray[np.uint8], origin: Point, shades: list[Shade], light: Light) -> None:

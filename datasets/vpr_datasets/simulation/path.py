@@ -18,7 +18,7 @@ GRID = 0.25
 """Spacing of the table of the path's course along x, in metres."""
 
 KNOT = 17.0
-"""Distance between the points at which the slope of the path is drawn, in metres."""
+"""Usual distance between the points at which the slope of the path is drawn, in metres."""
 
 
 @dataclass(frozen=True)
@@ -58,10 +58,15 @@ class Course:
         return 1.0 / norm, slope / norm
 
 
-def lay_course(seed: int, length: float, curvature: float, *, before: float, beyond: float) -> Course:
-    """Draw a path of ``length`` metres with slopes up to ``curvature``, continued at both ends."""
+def lay_course(
+    seed: int, length: float, curvature: float, *, before: float, beyond: float, spacing: float = KNOT
+) -> Course:
+    """Draw a path of ``length`` metres with slopes up to ``curvature``, continued at both ends.
+
+    Its slope is drawn every ``spacing`` metres.
+    """
     dice = Dice(seed, "course")
-    count = floor((length + before + beyond) / KNOT) + 3
+    count = floor((length + before + beyond) / spacing) + 3
     knots: list[float] = []
     height = 0.0
     for number in range(count):
@@ -71,11 +76,11 @@ def lay_course(seed: int, length: float, curvature: float, *, before: float, bey
         slope = curvature * (sign * dice.between(0.1, 1.2) + dice.between(-0.4, 0.4)) + pull
         slope = min(max(slope, -curvature), curvature)
         knots.append(slope)
-        height += slope * KNOT
+        height += slope * spacing
     xs, ys, slopes, arcs = 0, [0.0], [knots[0]], [-before]
     while arcs[-1] < length + beyond:
         xs += 1
-        place = xs * GRID / KNOT
+        place = xs * GRID / spacing
         knot = floor(place)
         if knot + 1 >= count:
             break

@@ -18,14 +18,14 @@ EVERGREEN: tuple[Colour, ...] = ((64, 98, 48), (84, 116, 56), (52, 84, 52))
 BARK: tuple[Colour, ...] = ((104, 86, 68), (84, 70, 58), (134, 118, 98), (70, 62, 56))
 
 
-def _roughen(canvas: Canvas, dice: Dice, cell: float, keep: int) -> None:
+def roughen(canvas: Canvas, dice: Dice, cell: float, keep: int) -> None:
     """Eat holes into what is painted wherever noise exceeds ``keep``."""
     size = max(int(cell * canvas.density), 2)
     rows, columns = canvas.ink.shape
     canvas.ink[value_noise(dice, rows, columns, size, 2) > keep] = 0
 
 
-def _crown(
+def crown(
     canvas: Canvas, dice: Dice, leaf: Colour, box: tuple[float, float, float, float], clumps: int, size: float
 ) -> None:
     """Heap clumps of leaves in the ellipse of a box (x, y, width, height): dark below, light on top."""
@@ -49,8 +49,8 @@ def tree(dice: Dice, season: Season) -> Canvas:
     for _ in range(9 if season != "winter" else 40):
         canvas.line(3.0, dice.between(1.8, bottom + 0.8), dice.between(0.8, 5.2), dice.between(4.0, 7.4), 0.07, bark)
     if season != "winter":
-        _crown(canvas, dice, leaf, (0.7, bottom, 4.6, 7.5 - bottom), 150, 0.46)
-        _roughen(canvas, dice, 0.36, 150)
+        crown(canvas, dice, leaf, (0.7, bottom, 4.6, 7.5 - bottom), 150, 0.46)
+        roughen(canvas, dice, 0.36, 150)
         canvas.speckle(dice, 60, 0.16)
     lean = dice.between(-0.3, 0.3)
     foot = dice.between(0.16, 0.3)
@@ -86,12 +86,12 @@ def shrub(dice: Dice, season: Season) -> Canvas:
     """Paint a round shrub, 2.4 m wide and 1.6 m tall."""
     canvas = Canvas(2.4, 1.6, 60.0)
     leaf = dice.pick(LEAVES[season] if dice.chance(0.4) else EVERGREEN)
-    _crown(canvas, dice, leaf, (0.35, 0.1, 1.7, dice.between(0.7, 1.2)), 60, 0.24)
+    crown(canvas, dice, leaf, (0.35, 0.1, 1.7, dice.between(0.7, 1.2)), 60, 0.24)
     if dice.chance(0.3) and season in ("spring", "summer"):
         bloom = dice.pick(((220, 90, 110), (240, 220, 120), (230, 230, 240), (170, 100, 190)))
         for _ in range(30):
             canvas.disc(dice.between(0.4, 2.0), dice.between(0.3, 1.1), 0.035, bloom)
-    _roughen(canvas, dice, 0.2, 165)
+    roughen(canvas, dice, 0.2, 165)
     canvas.speckle(dice, 50, 0.07)
     return canvas
 

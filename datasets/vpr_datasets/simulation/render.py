@@ -9,18 +9,17 @@ from threading import Thread
 
 from vpr_bench.cores import available_cores
 from vpr_bench.progress import task
-from vpr_datasets.simulation.job import Job, check_pattern
+from vpr_datasets.simulation.files import Files
+from vpr_datasets.simulation.job import Job
 from vpr_datasets.simulation.spec import SimulationSpec
 from vpr_datasets.simulation.worker import STEP
-
-PATTERN = "{traverse}/Image{index:03d}.jpg"
 
 _MODULE = "vpr_datasets.simulation.worker"
 _KEPT_LINES = 12
 _MOST_WORKERS = 4  # each builds the scene for itself, which more of them would hardly repay
 
 
-def render(spec: SimulationSpec, folder: Path, *, pattern: str = PATTERN, workers: int | None = None) -> None:
+def render(spec: SimulationSpec, folder: Path, *, files: Files | None = None, workers: int | None = None) -> None:
     """Render every image of ``spec`` into ``folder``.
 
     The work is shared by processes that are started anew, not forked or re-imported from the caller's
@@ -32,19 +31,18 @@ def render(spec: SimulationSpec, folder: Path, *, pattern: str = PATTERN, worker
         What to render.
     folder
         Where to put the images; made when it is missing. Nothing is written elsewhere.
-    pattern
-        Name of each file below ``folder``, with the fields ``traverse`` and ``index``.
+    files
+        The names of the images below ``folder``; by default JPEGs in a folder for each traverse.
     workers
         Number of processes; by default one for each processor that this process may use, four at most.
 
     Raises
     ------
     ValueError
-        If the pattern or the number of workers is of no use.
+        If the number of workers is of no use.
     RuntimeError
         If a worker fails; the message ends with what it said last.
     """
-    check_pattern(pattern)
     if workers is None:
         workers = min(available_cores(), _MOST_WORKERS)
     if workers < 1:
@@ -57,7 +55,7 @@ def render(spec: SimulationSpec, folder: Path, *, pattern: str = PATTERN, worker
     lines: SimpleQueue[tuple[int, str | None]] = SimpleQueue()
     try:
         for number in range(workers):
-            job = Job(spec=spec, folder=folder, pattern=pattern, worker=number, workers=workers)
+            job = Job(spec=spec, folder=folder, files=files or Files(), worker=number, workers=workers)
             processes.append(_start(job))
             Thread(target=_listen, args=(processes[-1], number, lines), daemon=True).start()
         _follow(processes, lines, total)

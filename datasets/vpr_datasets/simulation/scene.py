@@ -4,8 +4,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from vpr_datasets.simulation.chance import Dice
-from vpr_datasets.simulation.ground import paint_ground
-from vpr_datasets.simulation.lighting import Grid, light_grid
+from vpr_datasets.simulation.ground import paint_grounds
+from vpr_datasets.simulation.lighting import SUN, Grid, light_grid
 from vpr_datasets.simulation.path import Course, lay_course
 from vpr_datasets.simulation.raster import Singles, jitter_pattern
 from vpr_datasets.simulation.scenes import SCENES
@@ -14,8 +14,8 @@ from vpr_datasets.simulation.spec import Season, SimulationSpec
 from vpr_datasets.simulation.stage import Mover, Slab, Stage, Walls
 from vpr_datasets.simulation.texture import Texture
 
-BEFORE, BEYOND = 30.0, 80.0
-"""How far the path is laid before the first place and beyond the last, in metres."""
+BEFORE = 30.0
+"""How far the path is laid before the first place, in metres."""
 
 
 @dataclass(frozen=True)
@@ -25,18 +25,30 @@ class Scene:
     course: Course
     walls: Walls
     slabs: list[Slab]
-    ground: Slab
+    grounds: list[Slab]
+    tunnels: list[tuple[float, float]]
     sky: Texture
     grid: Grid
     movers: list[Mover]
     jitter: Singles
 
 
+def course_of(spec: SimulationSpec) -> Course:
+    """Return the course of the path that the traverses of ``spec`` follow."""
+    return _course(spec.scene, spec.seed, spec.length, spec.curvature)
+
+
 @lru_cache(maxsize=4)
-def _place(scene: str, seed: int, season: Season, length: float, curvature: float) -> tuple[Stage, Slab]:
-    course = lay_course(seed, length, curvature, before=BEFORE, beyond=BEYOND)
+def _course(scene: str, seed: int, length: float, curvature: float) -> Course:
+    setting = SCENES[scene].SETTING
+    return lay_course(seed, length, curvature, before=BEFORE, beyond=setting.beyond, spacing=setting.knot)
+
+
+@lru_cache(maxsize=4)
+def _place(scene: str, seed: int, season: Season, length: float, curvature: float) -> tuple[Stage, list[Slab]]:
+    course = _course(scene, seed, length, curvature)
     stage = SCENES[scene].lay_out(seed, season, course, length)
-    return stage, paint_ground(seed, season, course, stage.floors[::-1])
+    return stage, paint_grounds(seed, season, course, stage.floors[::-1], SCENES[scene].SETTING)
 
 
 @lru_cache(maxsize=8)
@@ -44,7 +56,8 @@ def build_scene(spec: SimulationSpec, name: str) -> Scene:
     """Build the scene of the traverse called ``name``; scenes of one place share their textures."""
     traverse = spec.traverse(name)
     length = spec.length
-    stage, ground = _place(spec.scene, spec.seed, traverse.season, length, spec.curvature)
+    setting = SCENES[spec.scene].SETTING
+    stage, grounds = _place(spec.scene, spec.seed, traverse.season, length, spec.curvature)
     dice = Dice(spec.seed, traverse.seed, traverse.name, "traffic")
     parked = Stage(stage.course)
     SCENES[spec.scene].park(parked, dice, traverse, length)
@@ -52,9 +65,10 @@ def build_scene(spec: SimulationSpec, name: str) -> Scene:
         stage.course,
         Walls.of(stage.walls + parked.walls),
         stage.slabs + parked.slabs,
-        ground,
-        paint_sky(spec.seed, traverse.seed, traverse.light),
-        light_grid(traverse.light, stage.course, stage.shades, stage.lamps),
+        grounds,
+        stage.tunnels,
+        paint_sky(spec.seed, traverse.seed, traverse.light, setting, traverse.season),
+        light_grid(traverse.light, stage.course, stage.shades, stage.lamps, traverse.sun or SUN),
         SCENES[spec.scene].send_out(dice, traverse, spec.frames_of(traverse)),
         jitter_pattern(spec.height, spec.width),
     )

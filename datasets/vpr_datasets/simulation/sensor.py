@@ -46,6 +46,7 @@ class Exposure:
 
 EXPOSURES: dict[Light, Exposure] = {
     "day": Exposure(108, 200, 420, 250, 0, 3, False),
+    "overcast": Exposure(126, 236, 420, 250, 0, 4, False),
     "dusk": Exposure(100, 256, 620, 190, 190, 9, False),
     "night": Exposure(126, 300, 1400, 90, 200, 9, True),
 }

@@ -1,10 +1,12 @@
-"""The sky and the far skyline, as a panorama."""
+"""The sky and what stands at the horizon, as a panorama."""
 
 import numpy as np
 
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.noise import value_noise
-from vpr_datasets.simulation.spec import Light
+from vpr_datasets.simulation.setting import Setting
+from vpr_datasets.simulation.skyline import paint_skyline
+from vpr_datasets.simulation.spec import Light, Season
 from vpr_datasets.simulation.texture import SKY, Texture, bake
 
 WIDTH, HEIGHT = 4096, 256
@@ -12,12 +14,12 @@ WIDTH, HEIGHT = 4096, 256
 RISE = 0.75
 """Slope above the horizon at which the panorama ends."""
 
-ZENITH = {"day": (88, 146, 216), "dusk": (74, 84, 140), "night": (40, 42, 54)}
-HORIZON = {"day": (206, 224, 238), "dusk": (236, 160, 120), "night": (74, 70, 68)}
-CLOUD = {"day": (246, 246, 246), "dusk": (220, 150, 140), "night": (92, 86, 82)}
+ZENITH = {"day": (88, 146, 216), "overcast": (176, 182, 190), "dusk": (74, 84, 140), "night": (40, 42, 54)}
+HORIZON = {"day": (206, 224, 238), "overcast": (212, 214, 218), "dusk": (236, 160, 120), "night": (74, 70, 68)}
+CLOUD = {"day": (246, 246, 246), "overcast": (226, 228, 230), "dusk": (220, 150, 140), "night": (92, 86, 82)}
 
 
-def paint_sky(seed: int, weather: int, light: Light) -> Texture:
+def paint_sky(seed: int, weather: int, light: Light, setting: Setting, season: Season) -> Texture:
     """Paint the sky: the skyline belongs to the place (``seed``), the clouds to the day (``weather``)."""
     share = (np.arange(HEIGHT)[:, None, None] * 256 // HEIGHT).astype(np.int32)
     low, high = np.array(HORIZON[light], dtype=np.int32), np.array(ZENITH[light], dtype=np.int32)
@@ -28,29 +30,5 @@ def paint_sky(seed: int, weather: int, light: Light) -> Texture:
     rgb = (rgb * (256 - cover) + np.array(CLOUD[light], dtype=np.int32) * cover) >> 8
     ink = np.full((HEIGHT, WIDTH), SKY, dtype=np.uint8)
     picture = rgb.astype(np.uint8)
-    _paint_skyline(Dice(seed, "skyline"), picture, light)
+    paint_skyline(Dice(seed, "skyline"), picture, light, setting, season)
     return bake(picture, ink)
-
-
-def _paint_skyline(dice: Dice, picture: np.ndarray[tuple[int, ...], np.dtype[np.uint8]], light: Light) -> None:
-    """Put blocks and tree tops along the lower edge."""
-    dim = {"day": 256, "dusk": 120, "night": 60}[light]
-    x = 0
-    while x < WIDTH:
-        width, tall = 14 + dice.below(60), 6 + dice.below(34)
-        grey = (130 + dice.below(70)) * dim >> 8
-        if dice.chance(0.55):
-            block = picture[HEIGHT - tall :, x : x + width]
-            block[:] = (grey, grey, min(grey + 8, 255))
-            bright = 235 if light != "day" else grey * 3 // 4
-            for row in range(3, tall - 2, 4):
-                for column in range(2, block.shape[1] - 2, 5):
-                    if light == "day" or dice.chance(0.25):
-                        block[row : row + 2, column : column + 3] = bright
-        x += width // 2 + dice.below(30)
-    tops = value_noise(dice, 1, WIDTH, 64, 4)[0].astype(np.int64) // 7
-    rows = np.arange(HEIGHT)[:, None]
-    green = rows >= HEIGHT - tops
-    tone = value_noise(dice, HEIGHT, WIDTH, 8, 2).astype(np.int32)[..., None]
-    leaf = (np.array((60, 84, 56), dtype=np.int32) * (128 + tone) >> 8) * dim >> 8
-    picture[green] = np.broadcast_to(leaf, picture.shape)[green].astype(np.uint8)

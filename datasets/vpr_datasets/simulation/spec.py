@@ -4,8 +4,11 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
 
-Light = Literal["day", "dusk", "night"]
+from vpr_datasets.simulation.mosaic import Bayer
+
+Light = Literal["day", "overcast", "dusk", "night"]
 Season = Literal["spring", "summer", "autumn", "winter"]
+Shift = Annotated[float, Field(ge=-6, le=6, allow_inf_nan=False)]
 
 
 class TraverseSpec(BaseModel):
@@ -16,10 +19,13 @@ class TraverseSpec(BaseModel):
     name
         Folder of the traverse.
     light
-        ``day`` (sun and shadows), ``dusk`` (no sun, lamps on) or ``night`` (lamps and lit windows only,
-        recorded in grey with a high gain).
+        ``day`` (sun and shadows), ``overcast`` (a grey sky, no shadows), ``dusk`` (no sun, lamps on) or
+        ``night`` (lamps and lit windows only, recorded in grey with a high gain).
     season
         Decides the colours of leaves and grass; trees are bare in winter.
+    sun
+        Metres to the east and to the north by which a shadow shifts for every metre of height, by day; where the
+        sun stands changes in the course of a day. By default it stands about 47 degrees high in the north-west.
     lateral
         Metres to the left (positive) or right (negative) of the middle of the path.
     eye_height
@@ -49,6 +55,7 @@ class TraverseSpec(BaseModel):
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]*$")]
     light: Light = "day"
     season: Season = "summer"
+    sun: tuple[Shift, Shift] | None = None
     lateral: Annotated[float, Field(ge=-8, le=8, allow_inf_nan=False)] = 0.0
     eye_height: Annotated[float, Field(ge=0.5, le=4.5, allow_inf_nan=False)] = 1.6
     tilt: Annotated[float, Field(ge=-0.3, le=0.3, allow_inf_nan=False)] = 0.0
@@ -83,6 +90,9 @@ class SimulationSpec(BaseModel):
         Focal length in image widths; 0.85 sees 61 degrees across, as a telephone does.
     quality
         JPEG quality of the files.
+    bayer
+        Store raw pictures of one channel behind this colour filter array, see
+        :mod:`vpr_datasets.simulation.mosaic`; by default pictures are in colour.
     traverses
         One or more recordings with distinct names.
 
@@ -104,6 +114,7 @@ class SimulationSpec(BaseModel):
     curvature: Annotated[float, Field(ge=0, le=0.6, allow_inf_nan=False)] = 0.35
     focal_length: Annotated[float, Field(ge=0.3, le=3, allow_inf_nan=False)] = 0.85
     quality: Annotated[int, Field(ge=50, le=100)] = 90
+    bayer: Bayer | None = None
     traverses: Annotated[tuple[TraverseSpec, ...], Field(min_length=1)]
 
     @field_validator("width", "height")

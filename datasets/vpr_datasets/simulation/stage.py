@@ -96,7 +96,10 @@ class Mover:
 
 @dataclass
 class Stage:
-    """A scene under construction; every place is given as metres along and to the left of the path."""
+    """A scene under construction; every place is given as metres along and to the left of the path.
+
+    From where to where it is pitch dark is told by ``tunnels``, in metres along the path.
+    """
 
     course: Course
     walls: list[Wall] = field(default_factory=list)
@@ -104,6 +107,7 @@ class Stage:
     shades: list[Shade] = field(default_factory=list)
     lamps: list[Lamp] = field(default_factory=list)
     floors: list[Floor] = field(default_factory=list)
+    tunnels: list[tuple[float, float]] = field(default_factory=list)
 
     def wall(
         self,

@@ -15,7 +15,7 @@ SMALL = {"width": 96, "height": 64}
 
 @pytest.fixture(scope="module")
 def walks(tiny_card: Card, tiny_images):
-    return {one.name: load_traverse(tiny_card, one.name, "simulated", tiny_images)[0] for one in tiny_card.traverses}
+    return {one.name: load_traverse(tiny_card, one, tiny_images).traverse for one in tiny_card.traverses}
 
 
 def fit(references, **parameters):

@@ -57,7 +57,7 @@ def no_traverse(content):
 @pytest.mark.parametrize(
     ("spoil", "message"),
     [
-        (wrong_file, "day_left is not the copy the card knows"),
+        (wrong_file, "day_left is not the copy that the card knows"),
         (lost_file, r"Image003\.jpg is missing"),
         (no_image, r"Image002\.jpg is not an image"),
         (no_traverse, "holds none of the traverse folders of tiny"),
@@ -141,7 +141,11 @@ def delete(path):
 @pytest.mark.parametrize(
     ("spoil", "kind", "message"),
     [
-        (change_a_byte, VprBenchError, "day_right is not the copy the card knows: expected sha256:.*, found sha256:"),
+        (
+            change_a_byte,
+            VprBenchError,
+            "day_right is not the copy that the card knows: expected sha256:.*, found sha256:",
+        ),
         (truncate, DataError, r"Image005\.jpg cannot be decoded"),
         (delete, DataError, r"found 11, Image005\.jpg is missing"),
     ],

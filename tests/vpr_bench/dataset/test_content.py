@@ -5,7 +5,9 @@ import numpy as np
 import pytest
 
 from vpr_bench.dataset.content import case_digest, traverse_digest
+from vpr_bench.dataset.recording import Recording
 from vpr_bench.errors import DataError
+from vpr_bench.types.ground_truth import GroundTruth
 from vpr_bench.types.traverse import Traverse
 
 
@@ -49,10 +51,11 @@ def test_a_missing_file_is_a_data_error(files):
 
 def test_the_digest_of_a_case_depends_on_traverses_and_labels():
     labels = np.arange(3.0)
+    truth = GroundTruth.from_lists([[0], [1], [2]], 3)
     walk = Traverse("walk", [Path("Image2.jpg"), Path("Image10.jpg"), Path("Image1.jpg")])
 
-    def digest(x="x", y="y", labels=labels, walk=walk):
-        return case_digest([(walk, np.arange(3.0), x), (walk, labels, y)])
+    def digest(x="x", y="y", labels=labels, walk=walk, given=None):
+        return case_digest([(Recording(walk, np.arange(3.0)), x), (Recording(walk, labels), y)], given)
 
     changed = {
         digest(),
@@ -61,6 +64,8 @@ def test_the_digest_of_a_case_depends_on_traverses_and_labels():
         digest(labels=np.array([0, 1, 2.5])),
         digest(walk=walk.subset([2, 0, 1])),  # the same files and labels, another order
         digest(walk=Traverse("walk", walk.sources, convert=np.negative)),
+        digest(given=truth),
+        digest(given=truth.with_soft(GroundTruth.from_lists([[1], [], []], 3))),
     }
-    assert len(changed) == 6
+    assert len(changed) == 8
     assert digest(labels=np.arange(6.0)[::2] / 2) == digest(labels=np.arange(3, dtype=">f8")) == digest()

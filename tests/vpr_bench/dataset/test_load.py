@@ -5,7 +5,8 @@ import numpy as np
 import pytest
 
 from vpr_bench.dataset.card import find_card
-from vpr_bench.dataset.load import DatasetWarning, check_radius, load_case, load_from, load_traverse
+from vpr_bench.dataset.content import traverse_digest
+from vpr_bench.dataset.load import DatasetWarning, load_case, load_from, load_traverse
 from vpr_bench.dataset.request import Request
 from vpr_bench.errors import DataError, UsageError
 
@@ -31,8 +32,8 @@ def test_the_first_protocol_of_the_real_images_is_the_default(tiny_dataset):
     assert str(case.protocol) == REAL
     assert (case.references.name, case.queries.name) == ("day_left", "day_right")
     assert len(case.references) == len(case.queries) == 12 and case.references[0].shape == (48, 64, 3)
-    assert case.reference_labels.tolist() == case.query_labels.tolist() == list(range(12))
-    assert case.reference_labels.dtype == np.float64
+    assert case.places.references.tolist() == case.places.queries.tolist() == list(range(12))
+    assert case.places.references.dtype == np.float64
     assert case.folder == tiny_dataset.folder and case.digest.startswith("sha256:")
 
 
@@ -87,8 +88,8 @@ def test_the_id_of_a_real_protocol_never_loads_simulated_images(tiny_dataset):
         ((REAL, None, "simulated"), "names the edition 'real', but --edition says 'simulated'"),
         (("tiny:simulated/day_left-day_right@1f", None, "real"), "but --edition says 'real'"),
         (("tiny/day_left-day_right", "day_left-night_right"), "names the protocol 'day_left-day_right', but"),
-        (("tiny/day_left-day_right@1m",), "is in 'm', but the place labels of tiny are in 'f'"),
-        (("tiny/day_left-day_right@pair",), "is in 'pair', but the place labels of tiny are in 'f'"),
+        (("tiny/day_left-day_right@1m",), "is in 'm', but tiny is measured in f or nearest"),
+        (("tiny/day_left-day_right@pair",), "is in 'pair', but tiny is measured in f or nearest"),
         (("tinny",), "There is no dataset 'tinny'. Did you mean 'tiny'"),
         (("tiny", "day_left-day_rigt"), "no protocol 'day_left-day_rigt'. Did you mean 'day_left-day_right'"),
         (("tiny/",), "no protocol ''"),
@@ -123,9 +124,9 @@ def test_a_radius_a_little_smaller_than_the_map_is_taken(tiny_dataset):
 
 def test_another_radius_can_be_checked(tiny_dataset):
     case = load_case("tiny")
-    check_radius(case.reference_labels, case.protocol.with_radius(10))
+    case.places.check(case.protocol.with_radius(10))
     with pytest.raises(UsageError, match="Give a smaller one"):
-        check_radius(case.reference_labels, case.protocol.with_radius(11))
+        case.places.check(case.protocol.with_radius(11))
 
 
 def test_the_digest_says_which_images_and_labels_it_was(tiny_dataset):
@@ -145,11 +146,11 @@ def test_another_copy_is_used_with_a_warning(tiny_dataset):
 
 
 def test_the_simulated_edition_is_not_held_against_the_real_digests(tiny_dataset):
-    _, _, real = load_traverse(tiny_dataset.card, "day_left", "real", tiny_dataset.folder)
-    assert tiny_dataset.card.traverse("day_left").digest == real
-    change_a_byte(tiny_dataset.folder / "day_left" / "Image007.jpg")
-    _, _, digest = load_traverse(tiny_dataset.card, "day_left", "simulated", tiny_dataset.folder)
-    assert digest != real
+    assert all(one.digest for one in tiny_dataset.card.traverses)
+    assert not any(one.digest for one in tiny_dataset.card.in_edition("simulated").traverses)
+    load_case("tiny:simulated")  # which are the same files, and would be warned of if they were another copy
+    change_a_byte(load_case("tiny:simulated").folder / "day_left" / "Image007.jpg")
+    load_case("tiny:simulated")
 
 
 def test_an_image_that_is_missing_is_a_data_error_that_names_it(tiny_dataset):
@@ -167,16 +168,16 @@ def test_images_in_any_folder_can_be_loaded(tiny_dataset, tmp_path):
 
 def test_a_request_is_read_without_looking_anything_up():
     whole = Request.parse("nowhere:old/a-b@2.5m~miss")
-    assert whole == Request("nowhere", "a-b", "old", 2.5, "m", "miss")
+    assert whole == Request("nowhere", "a-b@2.5m", "old", "miss")
     assert Request.parse("nowhere") == Request("nowhere", None, "auto")
 
 
 def test_the_real_images_are_the_ones_that_the_card_knows(real_gardens):
     card = find_card("gardens")
     for one in card.traverses:
-        traverse, labels, digest = load_traverse(card, one.name, "real", real_gardens)
-        assert len(traverse) == len(labels) == 200
-        assert digest == one.digest
+        traverse = load_traverse(card, one, real_gardens).traverse
+        assert len(traverse) == 200
+        assert traverse_digest(traverse, afresh=True) == one.digest
         assert traverse[0].shape == traverse[199].shape
         assert traverse[0].shape == ((360, 640, 3) if one.name == "night_right" else (540, 960, 3))
 

@@ -9,7 +9,10 @@ from vpr_bench.report.rows import score_run
 
 def test_draws_a_png_and_an_svg(stored, tmp_path):
     run = stored()
-    files = draw_curve([score_run(run, radius=0), score_run(run, radius=1)], tmp_path)
+    files = draw_curve(
+        [score_run(run, protocol=run.protocol.with_radius(0)), score_run(run, protocol=run.protocol.with_radius(1))],
+        tmp_path,
+    )
     assert [file.name for file in files] == ["precision_recall.png", "precision_recall.svg"]
     image = cv2.imread(str(files[0]))
     assert len(np.unique(image.reshape(-1, 3), axis=0)) > 50  # lines, text, grid

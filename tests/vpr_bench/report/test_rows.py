@@ -1,5 +1,6 @@
 import json
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -18,7 +19,8 @@ def test_scores_at_the_stored_radius(stored):
 
 @pytest.mark.parametrize(("radius", "recall"), [(0, 0.5), (1, 0.75), (2, 1.0)])
 def test_scores_at_another_radius(stored, radius, recall):
-    row = score_run(stored(), ["recall@1"], radius=radius)
+    run = stored()
+    row = score_run(run, ["recall@1"], run.protocol.with_radius(radius))
     assert row.metrics["recall@1"] == recall
     assert row.protocol.radius == radius
 
@@ -41,7 +43,8 @@ def test_latency_leaves_decoding_apart(stored):
 
 
 def test_as_dict_is_json_with_null_for_undefined(stored):
-    row = score_run(stored(), ["recall@1", "roc_auc"], radius=2)  # everything right: roc_auc is undefined
+    run = stored()
+    row = score_run(run, ["recall@1", "roc_auc"], run.protocol.with_radius(2))  # everything right: roc_auc is undefined
     assert math.isnan(row.metrics["roc_auc"])
     content = json.loads(json.dumps(row.as_dict(), allow_nan=False))
     assert content["metrics"] == {"recall@1": 1.0, "roc_auc": None}
@@ -49,10 +52,19 @@ def test_as_dict_is_json_with_null_for_undefined(stored):
 
 
 def test_unmatched_policy_is_written_in_the_protocol(stored):
-    assert str(score_run(stored(), unmatched="reject").protocol).endswith("@0f~reject")
+    run = stored()
+    row = score_run(run, protocol=replace(run.protocol, unmatched="reject"))
+    assert str(row.protocol).endswith("@0f~reject")
+
+
+def test_a_run_does_not_say_what_its_dataset_does_not(stored):
+    run = stored()
+    with pytest.raises(UsageError, match="lists no ground truth"):
+        score_run(run, protocol=replace(run.protocol, unit="given", radius=0))
 
 
 @pytest.mark.parametrize("radius", [-1.0, float("nan"), 3.0])
 def test_bad_radius(stored, radius):
+    run = stored()
     with pytest.raises(UsageError, match="radius"):
-        score_run(stored(), radius=radius)
+        score_run(run, protocol=run.protocol.with_radius(radius))

@@ -26,7 +26,9 @@ def test_shows_measured_and_published_numbers_apart(stored):
 
 def test_one_table_per_protocol(stored):
     run = stored()
-    text = _text([score_run(run, radius=0), score_run(run, radius=2)])
+    text = _text(
+        [score_run(run, protocol=run.protocol.with_radius(0)), score_run(run, protocol=run.protocol.with_radius(2))]
+    )
     assert text.index("night_right@0f") < text.index("night_right@2f")
 
 
@@ -41,7 +43,8 @@ def test_partial_run_says_so(stored):
 
 
 def test_undefined_is_a_dash(stored):
-    assert "–" in _text([score_run(stored(), ["recall@1", "roc_auc"], radius=2)])
+    run = stored()
+    assert "–" in _text([score_run(run, ["recall@1", "roc_auc"], run.protocol.with_radius(2))])
 
 
 def test_intervals_stand_below_the_value(stored):

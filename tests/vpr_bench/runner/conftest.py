@@ -11,6 +11,7 @@ from vpr_bench.method.build import BuiltMethod
 from vpr_bench.runner.store import RunStore
 from vpr_bench.timing import stage
 from vpr_bench.types.match import Match
+from vpr_bench.types.places import Places
 from vpr_bench.types.protocol import Protocol
 from vpr_bench.types.traverse import Traverse
 
@@ -59,8 +60,7 @@ def case() -> Case:
         protocol,
         Traverse("summer", references),
         Traverse("winter", queries),
-        labels,
-        labels.copy(),
+        Places(labels.copy(), labels),
         "sha256:" + "0" * 64,
         Path("nowhere"),
     )

@@ -127,7 +127,7 @@ def test_limit_asks_the_first_of_the_order_and_marks_the_run(case, store, built,
     assert few.record.partial
     assert len(few.queries) == 4
     assert set(few.queries) < set(more.queries)
-    assert few.ground_truth(0).n_queries == 4
+    assert len(few.places.queries) == 4
     assert few.indices[:, 0].tolist() == few.queries.tolist()
 
 

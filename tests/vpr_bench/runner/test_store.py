@@ -6,6 +6,7 @@ import pytest
 from vpr_bench.errors import DataError
 from vpr_bench.runner.run import RunOptions, run
 from vpr_bench.runner.store import RunStore, StoredRun, StoreWarning
+from vpr_bench.types.ground_truth import GroundTruth
 
 
 def test_folder_says_what_it_is(case, store, built, mean_colour):
@@ -44,8 +45,21 @@ def test_empty_store(tmp_path):
 
 def test_ground_truth_at_any_radius(case, store, built, mean_colour):
     stored = run(case, built(mean_colour()), store)
-    assert stored.ground_truth(0)[3].tolist() == [3]
-    assert stored.ground_truth(2)[3].tolist() == [1, 2, 3, 4, 5]
+    truths = [stored.places.ground_truth(stored.protocol.with_radius(radius)) for radius in (0, 2)]
+    assert [truth[3].tolist() for truth in truths] == [[3], [1, 2, 3, 4, 5]]
+
+
+def test_what_the_dataset_lists_is_stored_with_the_run(case, store, built, mean_colour):
+    from dataclasses import replace
+
+    soft = GroundTruth.from_lists([[1], *[[]] * 11], 12)
+    given = GroundTruth.from_lists([[0, 4], *[[place] for place in range(1, 12)]], 12).with_soft(soft)
+    listed = replace(
+        case, places=replace(case.places, given=given), protocol=replace(case.protocol, unit="given", radius=0)
+    )
+    stored = StoredRun.open(run(listed, built(mean_colour()), store, RunOptions(limit=5)).folder)
+    assert stored.places.ground_truth(stored.protocol) == given.take(stored.queries)
+    assert stored.places.given.soft is not None
 
 
 def test_killed_between_the_two_renames(case, store, built, mean_colour):
@@ -83,7 +97,7 @@ def test_object_arrays_are_not_unpickled(case, store, built, mean_colour):
     record["files"]["labels.npz"] = sha256_of_file(stored.folder / "labels.npz")
     (stored.folder / "run.json").write_text(json.dumps(record))
     with pytest.raises(DataError, match="damaged"):
-        StoredRun.open(stored.folder).ground_truth(1)
+        StoredRun.open(stored.folder).places
 
 
 @pytest.mark.parametrize("name", ["/etc/evil", "../../up", "hloc/netvlad", "a:b", ".."])

@@ -26,9 +26,29 @@ def test_fingerprint_changes_with_the_description():
     assert SimulatedEdition(OPTIONS).fingerprint() != SimulatedEdition({**OPTIONS, "seed": 2}).fingerprint()
 
 
-def test_bad_description_names_the_field():
-    with pytest.raises(DataError, match="frames"):
-        SimulatedEdition({**OPTIONS, "frames": 0})
+@pytest.mark.parametrize("change", [{"pattern": "{traverse}/{number}.png"}, {"first": 1}, {"beside": ["fgps"]}])
+def test_fingerprint_changes_with_the_files(change):
+    assert SimulatedEdition(OPTIONS).fingerprint() != SimulatedEdition({**OPTIONS, **change}).fingerprint()
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"frames": 0}, "frames"),
+        ({"pattern": "one.jpg"}, "pattern"),
+        ({"beside": ["tea leaves"]}, "beside: 'tea leaves' is none of fgps,"),
+        ({"bayer": "RGGB"}, "pattern: raw pictures are stored as .png only"),
+        ({"sede": 1}, "sede"),
+    ],
+)
+def test_bad_description_names_the_field(change, words):
+    with pytest.raises(DataError, match=words):
+        SimulatedEdition({**OPTIONS, **change})
+
+
+def test_writes_what_is_beside_the_images(tmp_path):
+    SimulatedEdition({**OPTIONS, "beside": ["fgps"]}).render(tmp_path)
+    assert len((tmp_path / "walk/fGPS.txt").read_text().splitlines()) == OPTIONS["frames"]
 
 
 def test_gardens_is_described_as_the_real_one_is():

@@ -5,12 +5,15 @@ from typing import Protocol
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.path import Course
 from vpr_datasets.simulation.scenes import campus
+from vpr_datasets.simulation.setting import Setting
 from vpr_datasets.simulation.spec import Season, TraverseSpec
 from vpr_datasets.simulation.stage import Mover, Stage
 
 
 class Landscape(Protocol):
     """What a module in this package offers."""
+
+    SETTING: Setting
 
     def lay_out(self, seed: int, season: Season, course: Course, length: float) -> Stage:
         """Build what is always there, from -20 to ``length`` metres along the path and some way beyond."""

@@ -16,8 +16,11 @@ from vpr_datasets.simulation.lots import (
 )
 from vpr_datasets.simulation.overhead import span
 from vpr_datasets.simulation.path import Course
+from vpr_datasets.simulation.setting import Setting
 from vpr_datasets.simulation.spec import Season, TraverseSpec
 from vpr_datasets.simulation.stage import Floor, Mover, Stage
+
+SETTING = Setting()
 
 PAVINGS = ("asphalt", "concrete", "slabs", "large slabs", "brick", "boards", "cobbles", "tiles")
 BORDERS = ("grass", "mulch", "gravel", "slabs", "concrete", "brick", "grass")

@@ -1,8 +1,8 @@
 import pytest
+from vpr_datasets.loaders.numbered import load
 
 from vpr_bench.dataset.card import TraverseCard
 from vpr_bench.errors import DataError
-from vpr_datasets.loaders.numbered import load
 
 CARD = TraverseCard(name="day_left", images=200)
 PATTERN = "Image{index:03d}.jpg"

@@ -1,0 +1,1 @@
+"""Lists of frames, facts about datasets that are too long for a card."""

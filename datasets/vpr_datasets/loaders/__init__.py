@@ -1,1 +1,0 @@
-"""Loaders: each understands one on-disk layout, and cards name the one that theirs needs."""

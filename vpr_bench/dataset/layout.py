@@ -1,0 +1,101 @@
+"""How images and places lie on disk. A layout is a plug-in: our own come through the same door as anybody's."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from vpr_bench.dataset.recording import Recording
+from vpr_bench.errors import UsageError
+from vpr_bench.registry import Registry
+from vpr_bench.types.ground_truth import GroundTruth
+
+
+@dataclass(frozen=True)
+class Recognised:
+    """What a layout found in a folder that nobody has described yet.
+
+    Attributes
+    ----------
+    found : str
+        What it is, in one line for a person: counts, and what the places are taken from.
+    unit : str
+        Unit of the place labels.
+    options : dict
+        What the layout needs to know to load it again.
+    traverses : list of dict
+        One :class:`~vpr_bench.dataset.card.TraverseCard` each.
+    protocols : list of dict
+        One :class:`~vpr_bench.dataset.card.ProtocolCard` each, the default first.
+    given : list of dict
+        One :class:`~vpr_bench.dataset.card.GivenCard` each.
+    """
+
+    found: str
+    unit: str
+    traverses: list[dict[str, Any]]
+    protocols: list[dict[str, Any]]
+    options: dict[str, Any] = field(default_factory=dict)
+    given: list[dict[str, Any]] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Layout:
+    """One way in which images and places lie on disk.
+
+    Attributes
+    ----------
+    about : str
+        What it is, in one line.
+    load : callable
+        ``load(folder, card, **options)`` returns the :class:`Recording` of one traverse: ``folder`` is the
+        traverse's own, ``card`` its :class:`~vpr_bench.dataset.card.TraverseCard`. Nothing is decoded.
+    given : callable, optional
+        ``given(folder, references, queries, **options)`` returns the :class:`GroundTruth` that a file in the
+        dataset's folder lists for two recordings.
+    recognise : callable, optional
+        ``recognise(folder)`` says what lies in a folder, None if it is not of this layout.
+    rank : int
+        Of two layouts that recognise a folder, the one of higher rank is taken: the more specific one.
+    """
+
+    about: str
+    load: Callable[..., Recording]
+    given: Callable[..., GroundTruth] | None = None
+    recognise: Callable[[Path], Recognised | None] | None = None
+    rank: int = 0
+
+
+LAYOUTS: Registry[Layout] = Registry("vpr_bench.layouts", "layout")
+
+
+def as_layout(loaded: Any) -> Layout:
+    """Check that a layout plug-in is one.
+
+    Raises
+    ------
+    UsageError
+        If it is something else.
+    """
+    if not isinstance(loaded, Layout):
+        raise UsageError(f"a layout must be a vpr_bench.dataset.layout.Layout. Got {type(loaded).__name__} instead.")
+    return loaded
+
+
+def find_layout(name: str) -> Layout:
+    """Return a layout by its name.
+
+    Raises
+    ------
+    UsageError
+        If there is no such layout; the closest one is suggested.
+    """
+    return as_layout(LAYOUTS.entry(name).load())
+
+
+def recognise(folder: Path) -> list[tuple[str, Recognised]]:
+    """Return what the layouts say about a folder, by the name of the layout, the most specific one first."""
+    layouts = LAYOUTS.load_all(as_layout)
+    ordered = sorted(layouts.items(), key=lambda item: (-item[1].rank, item[0]))
+    said = [(name, layout.recognise(folder)) for name, layout in ordered if layout.recognise is not None]
+    return [(name, recognised) for name, recognised in said if recognised is not None]
