@@ -30,9 +30,11 @@ class Retrieval:
 
     def fit(self, references: Traverse) -> None:
         """Describe every reference."""
-        self.database_ = normalised(
-            np.stack([self.describe(image) for image in track(references, "Describing references")])
-        )
+        for index, image in enumerate(track(references, "Describing references")):
+            descriptor = normalised(self.describe(image))
+            if index == 0:  # filled row by row: a list and an array of a large map would be two large maps
+                self.database_ = np.empty((len(references), len(descriptor)), dtype=np.float32)
+            self.database_[index] = descriptor
 
     def match(self, image: NDArray[np.uint8], k: int) -> Match:
         """Answer with the ``k`` references of highest cosine similarity; it is the score, in [-1, 1]."""

@@ -5,8 +5,6 @@ import warnings
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -184,11 +182,8 @@ def _load_given(card: Card, protocol: Protocol, folder: Path) -> GroundTruth | N
     recordings = [load_traverse(card, card.traverse(part.traverse), folder) for part in parts]
     with blaming(f"The ground truth of {card.id} cannot be read", DataError):
         truth: GroundTruth = given(folder, *recordings, **options)
-    taken: list[Any] = [
-        np.arange(len(recording))[list(part.indices(len(recording)))]
-        for part, recording in zip(parts, recordings, strict=True)
-    ]
-    return truth.take(taken[1]).transpose().take(taken[0]).transpose()
+    rows, columns = (part.indices(len(one)) for part, one in zip(parts, recordings, strict=True))
+    return truth.take(columns).transpose().take(rows).transpose()
 
 
 def _compare(one: TraverseCard, digest: str, source: str, folder: Path) -> None:

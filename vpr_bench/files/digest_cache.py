@@ -59,7 +59,8 @@ class _Remembered:
         if self._file is not None:
             with suppress(OSError, ValueError):
                 loaded = json.loads(self._file.read_text("utf-8"))
-                self._entries = loaded if isinstance(loaded, dict) else {}
+                entries = loaded.items() if isinstance(loaded, dict) else ()
+                self._entries = {name: entry for name, entry in entries if _is_entry(entry)}
 
     def digest(self, path: Path) -> str:
         with disk_errors(path, "read"):
@@ -78,3 +79,8 @@ class _Remembered:
             with suppress(DataError, OSError):  # without a cache everything works, only slower
                 self._file.parent.mkdir(parents=True, exist_ok=True)
                 write_bytes(self._file, json.dumps(self._entries).encode())
+
+
+def _is_entry(entry: object) -> bool:
+    """Tell whether something is a size, a time and a digest: a cache may be damaged like any other file."""
+    return isinstance(entry, list) and [type(part) for part in entry] == [int, int, str]

@@ -82,6 +82,16 @@ class Match:
         values = np.asarray(scores, dtype=np.float32)
         if k < 1 or np.isnan(values).any():
             raise ValueError(f"k must be at least 1 and the scores must be numbers. Got k={k} and {values}.")
-        best = np.argsort(-values, kind="stable")[:k]
+        best = _best(values, k)
         names = best if candidates is None else np.asarray(candidates)[best]
         return cls(names, values[best])
+
+
+def _best(values: NDArray[np.float32], k: int) -> NDArray[np.int64]:
+    """Return the positions of the ``k`` largest values, largest first, ties in the order they came in."""
+    if 4 * k < len(values):  # sorting all of a long map for its few best would take longer than finding them
+        worst = np.partition(values, len(values) - k)[len(values) - k]
+        above, ties = np.flatnonzero(values > worst), np.flatnonzero(values == worst)
+        kept = np.sort(np.concatenate([above, ties[: k - len(above)]]))
+        return np.asarray(kept[np.argsort(-values[kept], kind="stable")])
+    return np.argsort(-values, kind="stable")[:k]

@@ -32,6 +32,10 @@ class Dice:
         entropy = [crc32(part.encode()) if isinstance(part, str) else part for part in key]
         self._bits = np.random.PCG64(np.random.SeedSequence(entropy))
 
+    def branch(self) -> "Dice":
+        """Return a new stream: however much is drawn from it, this one goes on as if it had been one number."""
+        return Dice(self.below(1 << 30), "branch")
+
     def below(self, stop: int) -> int:
         """Return an integer in ``range(stop)``."""
         return (int(self._bits.random_raw()) >> 11) % stop

@@ -25,7 +25,7 @@ GRASS: dict[Season, Colour] = {
 }
 MEADOW: dict[Season, Colour] = {
     "spring": (150, 150, 96),
-    "summer": (112, 146, 58),
+    "summer": (124, 148, 76),
     "autumn": (168, 150, 84),
     "winter": (164, 152, 120),
 }
@@ -37,8 +37,8 @@ FIELD: dict[Season, Colour] = {
 }
 WOODLAND: dict[Season, Colour] = {
     "spring": (110, 104, 68),
-    "summer": (72, 92, 46),
-    "autumn": (142, 98, 48),
+    "summer": (92, 110, 60),
+    "autumn": (150, 116, 66),
     "winter": (104, 90, 70),
 }
 WATER: dict[Season, Colour] = {
@@ -93,12 +93,12 @@ RAILS = (0.7, TILE - 0.79)
 
 def _track(canvas: Canvas, dice: Dice) -> None:
     """Lay sleepers and two rails on ballast."""
-    canvas.speckle(dice, 50)
-    canvas.speckle(dice, 26, 0.5)
+    canvas.speckle(dice, 30)
+    canvas.speckle(dice, 20, 0.5)
     for number in range(26):
-        tone = 190 + dice.below(100)
+        tone = 170 + dice.below(110)
         for low in (0.0, TILE - 1.3):
-            canvas.rect(number * TILE / 26, low, 0.26, 1.3, toned((98, 84, 72), tone))
+            canvas.rect(number * TILE / 26, low, 0.27, 1.3, toned((84, 70, 60), tone))
     for rail in RAILS:
         canvas.rect(0, rail - 0.06, TILE, 0.05, (84, 62, 50))
         canvas.rect(0, rail, TILE, 0.09, (176, 178, 184))
@@ -138,12 +138,12 @@ MATERIALS: dict[str, tuple[Colour, Callable[[Canvas, Dice], None]]] = {
     "gravel": ((182, 168, 142), _loose(40, 0.8)),
     "grass": (GRASS["summer"], _loose(46, 1.2)),
     "mulch": ((112, 84, 62), _loose(48, 0.6)),
-    "track": ((132, 126, 120), _track),
-    "meadow": (MEADOW["summer"], _loose(44, 1.6)),
+    "track": ((146, 140, 134), _track),
+    "meadow": (MEADOW["summer"], _loose(26, 1.6)),
     "field": (FIELD["summer"], _rows),
-    "woodland": (WOODLAND["summer"], _loose(60, 0.9)),
+    "woodland": (WOODLAND["summer"], _loose(34, 0.9)),
     "water": (WATER["summer"], _ripples),
-    "rubble": ((126, 120, 112), _loose(56, 0.7)),
+    "rubble": ((126, 120, 112), _loose(40, 0.7)),
     "road": ((104, 104, 106), _lanes),
     "verge": (GRASS["summer"], _footpath),
 }

@@ -82,7 +82,9 @@ def _paint(
 
 def _cover(rgb: NDArray[np.uint8], noise: NDArray[np.uint8], holds: NDArray[np.uint8], snow: float) -> None:
     """Lay snow on what is painted: it stays longest where the noise is high, and where it is sheltered."""
-    depth = noise.astype(np.int32) * holds // 255 - int(182 - 140 * snow)
-    share = np.minimum(np.maximum(depth * 12, 0), 236)[..., None]
-    white = np.array((232, 236, 242), dtype=np.int32) + (noise[..., None].astype(np.int32) - 128 >> 3)
-    rgb[:] = (rgb * (256 - share) + np.minimum(white, 255) * share >> 8).astype(np.uint8)
+    depth = (np.multiply(noise, holds, dtype=np.uint16) >> 8).astype(np.int16) - np.int16(182 - 140 * snow)
+    share = (np.minimum(np.maximum(depth, 0), 19) * np.int16(12)).astype(np.uint16)
+    rest = np.uint16(256) - share
+    for channel, white in enumerate((218, 222, 228)):
+        bright = share * (white + (noise >> 3)).astype(np.uint16)
+        rgb[..., channel] = (rgb[..., channel] * rest + bright) >> 8

@@ -81,7 +81,9 @@ def _side(dice: Dice, house: House, length: float) -> Canvas:
     tall = house.eaves / storeys
     if house.barn:
         middle, wide = length * dice.between(0.3, 0.7), min(length * 0.3, 3.4)
-        canvas.rect(middle - wide / 2, 0.2, wide, min(house.eaves - 0.5, 3.2), tinted(dice, toned(house.walls, 180), 10))
+        canvas.rect(
+            middle - wide / 2, 0.2, wide, min(house.eaves - 0.5, 3.2), tinted(dice, toned(house.walls, 180), 10)
+        )
         canvas.frame(middle - wide / 2, 0.2, wide, min(house.eaves - 0.5, 3.2), 0.14, trim)
         canvas.line(middle - wide / 2, 0.3, middle + wide / 2, min(house.eaves - 0.5, 3.2), 0.12, trim)
         storeys = 0
@@ -105,6 +107,7 @@ def _side(dice: Dice, house: House, length: float) -> Canvas:
 
 
 def _roof(dice: Dice, house: House, length: float) -> Texture:
+    dice = dice.branch()
     canvas = Canvas(length, house.rise, DENSITY, house.roof)
     blocks(canvas, dice, 0.3, 0.4, 22, 26)
     canvas.speckle(dice, 18, 1.2)

@@ -59,10 +59,10 @@ def _hills(dice: Dice, picture: Picture, light: Light, season: Season, snow: flo
     """Stagger mountains and wooded hills: the farther, the bluer."""
     # Half of the woods are spruces, which are green all year.
     wood = _mean(_mean(WOODLAND[season], LEAVES[season][0]), EVERGREEN[2])
-    _ridge(dice, picture, light, 150, 384, (138, 152, 172), max(snow, 0.35))
-    _ridge(dice, picture, light, 100, 300, (112, 130, 142), snow * 0.9)
-    _ridge(dice, picture, light, 56, 180, _mean(wood, (108, 128, 138)), snow * 0.7)
-    _ridge(dice, picture, light, 26, 96, wood, snow * 0.5)
+    _ridge(dice, picture, light, 88, 420, (138, 152, 172), 0.3 + snow * 0.4)
+    _ridge(dice, picture, light, 62, 320, (112, 130, 142), snow * 0.75)
+    _ridge(dice, picture, light, 40, 200, _mean(wood, (108, 128, 138)), snow * 0.7)
+    _ridge(dice, picture, light, 22, 96, wood, snow * 0.5)
 
 
 def _mean(first: Colour, second: Colour) -> Colour:
@@ -81,7 +81,8 @@ def _ridge(dice: Dice, picture: Picture, light: Light, tall: int, cell: int, col
     rough = value_noise(dice, height, span, 40, 4).astype(np.int32)
     body = np.array(colour, dtype=np.int32) * (160 + tone[..., None] * 3 // 4) >> 8
     level = (height - rows) * 256 // max(tall, 1) + rough - 128
-    white = (level > int(256 - 330 * snow)) & (rough + tone > 190)
-    body = np.where(white[..., None], np.array((226, 232, 240), dtype=np.int32), body)
+    white = (level > int(256 - 330 * snow)) & (rough + tone > 228)
+    drift = np.array((214, 221, 230), dtype=np.int32) * (200 + tone[..., None] * 3 // 8) >> 8
+    body = np.where(white[..., None], drift, body)
     body = body * DIM[light] >> 8
     picture[solid] = np.minimum(body, 255)[solid].astype(np.uint8)

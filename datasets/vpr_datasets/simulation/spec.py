@@ -106,7 +106,7 @@ class SimulationSpec(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     seed: Annotated[int, Field(ge=0)]
-    scene: Literal["campus"] = "campus"
+    scene: Literal["campus", "railway"] = "campus"
     frames: Annotated[int, Field(ge=1, le=1000)] = 200
     width: Annotated[int, Field(ge=64, le=1920)] = 640
     height: Annotated[int, Field(ge=36, le=1080)] = 360

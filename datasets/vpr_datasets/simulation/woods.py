@@ -9,11 +9,11 @@ from vpr_datasets.simulation.plants import crown, roughen
 from vpr_datasets.simulation.spec import Season
 from vpr_datasets.simulation.texture import Canvas, Colour
 
-NEEDLES: tuple[Colour, ...] = ((50, 78, 48), (62, 88, 52), (44, 68, 50), (70, 92, 58))
+NEEDLES: tuple[Colour, ...] = ((64, 94, 58), (76, 104, 64), (56, 84, 60), (84, 108, 68))
 BIRCH: dict[Season, tuple[Colour, ...]] = {
     "spring": ((150, 160, 92), (136, 120, 92), (164, 170, 104)),
-    "summer": ((94, 136, 58), (112, 150, 66), (82, 122, 56)),
-    "autumn": ((222, 176, 52), (206, 140, 44), (188, 160, 66)),
+    "summer": ((116, 158, 74), (134, 172, 82), (102, 144, 70)),
+    "autumn": ((244, 196, 62), (232, 160, 54), (210, 180, 76)),
     "winter": ((128, 112, 104), (140, 126, 118), (116, 102, 96)),
 }
 SNOW: Colour = (236, 240, 246)
@@ -86,7 +86,9 @@ def edge(dice: Dice, season: Season, snow: float, length: float, height: float, 
             colour = toned(tinted(dice, dice.pick(BIRCH[season]), 10), 190 + int(50 * near))
             if season == "winter":
                 for _ in range(14):
-                    canvas.line(x, tall * 0.2, x + dice.between(-1.1, 1.1), tall * dice.between(0.5, 0.95), 0.08, colour)
+                    canvas.line(
+                        x, tall * 0.2, x + dice.between(-1.1, 1.1), tall * dice.between(0.5, 0.95), 0.08, colour
+                    )
             else:
                 for _ in range(12):
                     canvas.disc(x + dice.between(-0.9, 0.9), tall * dice.between(0.3, 0.9), dice.between(0.35, 0.7),

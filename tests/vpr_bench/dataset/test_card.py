@@ -3,7 +3,7 @@ import copy
 import pytest
 from pydantic import ValidationError
 
-from vpr_bench.dataset.card import DATASETS, Card, as_card, find_card
+from vpr_bench.dataset.card import DATASETS, Card, as_card, expand_groups, find_card
 from vpr_bench.errors import DataError, UsageError
 
 CARD = """
@@ -106,6 +106,71 @@ def test_a_card_that_cannot_be_read_is_a_data_error(read, tmp_path):
         read(b"\xff\xfe\x00")
     with pytest.raises(DataError, match=r"missing\.toml cannot be read"):
         Card.from_toml(tmp_path / "missing.toml")
+
+
+EDITIONS = """
+[[editions]]
+name = "small"
+folders = ["tiny-small"]
+traverses = [{ name = "a", images = 2 }, { name = "c" }]
+protocols = [{ references = "a", queries = "c", radius = 5, unit = "nearest" }]
+
+[simulation]
+renderer = "somewhere:Renderer"
+options = {}
+loader = { layout = "folders" }
+"""
+
+
+def test_an_edition_replaces_what_it_names_and_keeps_the_rest(read):
+    card = read(CARD.replace("images = 3", f'images = 3, digest = "sha256:{"0" * 64}"') + EDITIONS)
+    assert card.edition_names() == ["real", "small", "simulated"]
+    small, simulated = card.in_edition("small"), card.in_edition("simulated")
+    assert str(small.protocol(edition="small")) == "tiny:small/a-c@5nearest"
+    assert small.loader == card.loader and simulated.loader.layout == "folders"
+    assert [one.name for one in simulated.traverses] == ["a", "b"]
+    assert card.traverse("a").digest and not simulated.traverse("a").digest
+    assert card.in_edition("real") is card
+    with pytest.raises(UsageError, match=r"has no edition 'smal'\. Did you mean 'small'"):
+        card.in_edition("smal")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('name = "small"', 'name = "simulated"', "two editions have the same name"),
+        ('name = "small"', 'name = "auto"', "two editions have the same name"),
+        ('queries = "c"', 'queries = "b"', "there is no traverse 'b'"),
+        ("radius = 5", "radius = 0", "nearest references must be whole"),
+        ('unit = "nearest"', 'unit = "given"', "has no radius"),
+        ('radius = 5, unit = "nearest"', 'unit = "given"', r"a-c is @given, but \[\[given\]\] does not list it"),
+    ],
+)
+def test_a_wrong_edition_is_a_data_error(read, old, new, message):
+    with pytest.raises(DataError, match=message):
+        read(CARD + EDITIONS.replace(old, new, 1))
+
+
+def test_one_pairing_may_have_several_reaches(read):
+    card = read(CARD + '[[protocols]]\nreferences = "a"\nqueries = "b"\nradius = 5\nunit = "nearest"\n')
+    assert str(card.protocol("a-b")) == "tiny/a-b@2f"
+    assert str(card.protocol("a-b@5nearest")) == "tiny/a-b@5nearest"
+    assert str(card.protocol("b-a@7f")) == "tiny/b-a@7f~reject"
+    with pytest.raises(UsageError, match="is in 'm', but tiny is measured in f or nearest"):
+        card.protocol("a-b@7m")
+    with pytest.raises(DataError, match="two traverses or two protocols have the same name"):
+        read(CARD + '[[protocols]]\nreferences = "a"\nqueries = "b"\nradius = 2\n')
+
+
+def test_a_group_stands_for_its_datasets():
+    assert {"gardens", "nordland"} <= set(expand_groups(["thesis"]))
+    assert expand_groups(["gardens", "gardens:simulated", "no-such", "./here", "gardens"]) == [
+        "gardens",
+        "gardens:simulated",
+        "no-such",
+        "./here",
+    ]
+    assert "gardens:simulated" in expand_groups(["thesis:simulated"])
 
 
 def test_a_dataset_is_found_by_its_id(tiny_dataset):

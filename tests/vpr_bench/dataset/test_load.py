@@ -1,14 +1,17 @@
 import shutil
 import warnings
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from vpr_bench.dataset.card import find_card
+from vpr_bench.dataset.card import Card, find_card
 from vpr_bench.dataset.content import traverse_digest
+from vpr_bench.dataset.layout import find_layout
 from vpr_bench.dataset.load import DatasetWarning, load_case, load_from, load_traverse
 from vpr_bench.dataset.request import Request
 from vpr_bench.errors import DataError, UsageError
+from vpr_bench.types.ground_truth import GroundTruth
 
 REAL = "tiny/day_left-day_right@1f"
 
@@ -164,6 +167,42 @@ def test_images_in_any_folder_can_be_loaded(tiny_dataset, tmp_path):
     case = load_from(tiny_dataset.card, tiny_dataset.card.protocol(), folder)
     assert case.references.sources[0] == folder / "day_left" / "Image000.jpg"
     assert case.digest == load_case("tiny").digest
+
+
+def test_a_map_may_join_traverses_and_take_parts_of_them(tiny_dataset):
+    case = load_case("tiny", "day_left.every5+day_right-night_right.first4")
+    assert str(case.protocol) == "tiny/day_left.every5+day_right-night_right.first4@1f"
+    assert case.places.references.tolist() == [0, 5, 10, *range(12)]
+    assert case.places.queries.tolist() == [0, 1, 2, 3]
+    assert [part.name for part in case.references.split()] == ["day_left", "day_right"]
+    assert [path.parent.name for path in case.references.sources[2:4]] == ["day_left", "day_right"]
+    assert case.ground_truth[0].tolist() == [0, 3, 4]  # the same place of either walk
+    assert case.digest != load_case("tiny", "day_left+day_right-night_right.first4").digest
+
+
+def test_a_pairing_that_the_card_does_not_name_has_the_reach_of_its_first(tiny_dataset):
+    assert str(load_case("tiny", "night_right-day_left").protocol) == "tiny/night_right-day_left@1f"
+    assert str(load_case("tiny", "night_right-day_left@3nearest").protocol) == "tiny/night_right-day_left@3nearest"
+    assert str(load_case("tiny/day_left-night_right@4nearest").protocol) == "tiny/day_left-night_right@4nearest"
+
+
+def test_what_the_dataset_lists_is_cut_with_its_traverses(tiny_dataset, monkeypatch):
+    def given(folder, references, queries, shift):
+        places = range(len(references))
+        hard = [[place + shift] if place + shift < len(references) else [] for place in places]
+        return GroundTruth.from_lists(hard, len(references)).with_soft(
+            GroundTruth.from_lists([[i] for i in places], 12)
+        )
+
+    layout = replace(find_layout("numbered"), given=given)
+    monkeypatch.setattr("vpr_bench.dataset.load.find_layout", lambda name: layout)
+    listed = [{"references": "day_left", "queries": "day_right", "options": {"shift": 2}}]
+    card = Card.model_validate(tiny_dataset.card.model_dump() | {"given": listed})
+    case = load_from(card, card.protocol("day_left.first8-day_right.every5@given"), tiny_dataset.folder)
+    assert [case.ground_truth[query].tolist() for query in range(3)] == [[2], [7], []]
+    assert [case.ground_truth.soft[query].tolist() for query in range(3)] == [[0], [5], []]
+    by_number = load_from(card, card.protocol("day_left.first8-day_right.every5@1f"), tiny_dataset.folder)
+    assert by_number.digest == case.digest  # one run serves both
 
 
 def test_a_request_is_read_without_looking_anything_up():

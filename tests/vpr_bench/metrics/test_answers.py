@@ -118,3 +118,22 @@ def test_columns_that_do_not_fit_are_refused():
 def test_an_unknown_policy_is_refused_with_the_closest_one():
     with pytest.raises(UsageError, match="'reject'"):
         Answers.from_matches(INDICES, SCORES, TRUTH, "rejected")
+
+
+def test_soft_matches_are_passed_over():
+    truth = GroundTruth.from_lists([[0], [3], []], 5).with_soft(GroundTruth.from_lists([[1], [0, 2], [4]], 5))
+    indices = np.array([[1, 0, 2], [2, 0, 3], [4, 1, 0]])
+    scores = np.array([[0.9, 0.8, 0.7], [0.6, 0.5, 0.4], [0.3, 0.2, 0.1]])
+    answers = Answers.from_matches(indices, scores, truth, unmatched="miss")
+    assert answers.correct.tolist() == [True, True, False]
+    assert answers.score.tolist() == [0.8, 0.4, 0.2]
+    assert answers.rank.tolist() == [0, 0, NEVER]
+    assert answers.depth == 1  # of the second query only one answer counts
+
+
+def test_answers_that_are_all_soft_are_refused_where_more_could_have_been_asked_for():
+    truth = GroundTruth.from_lists([[0]], 3).with_soft(GroundTruth.from_lists([[1, 2]], 3))
+    with pytest.raises(UsageError, match=r"All 2 answers to a query are soft matches.*Raise --k"):
+        Answers.from_matches(np.array([[1, 2]]), np.array([[0.9, 0.8]]), truth)
+    answers = Answers.from_matches(np.array([[1, 2, -1]]), np.array([[0.9, 0.8, -np.inf]]), truth)
+    assert not answers.answered.any() and not answers.correct.any()

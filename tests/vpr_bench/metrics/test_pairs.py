@@ -98,3 +98,12 @@ def test_scores_that_are_no_numbers_are_refused(place):
 def test_scores_of_the_wrong_shape_are_refused():
     with pytest.raises(ValueError, match=r"shape \(2, 3\)"):
         pr_auc_pairs(lambda rows: np.zeros((2, 2)), GroundTruth.from_lists([[0], [1]], n_references=3))
+
+
+def test_soft_pairs_are_neither_right_nor_wrong():
+    scores = np.array([[0.9, 0.8, 0.1], [0.2, 0.7, 0.6]], dtype=np.float32)
+    hard = GroundTruth.from_lists([[0], [1]], 3)
+    truth = hard.with_soft(GroundTruth.from_lists([[1], []], 3))
+    without = np.where([[False, True, False], [False, False, False]], -np.inf, scores).astype(np.float32)
+    assert pr_auc_pairs(lambda rows: scores[rows], truth) == pr_auc_pairs(lambda rows: without[rows], hard) == 1.0
+    assert pr_auc_pairs(lambda rows: scores[rows], hard) < 1.0

@@ -26,9 +26,7 @@ def test_shows_measured_and_published_numbers_apart(stored):
 
 def test_one_table_per_protocol(stored):
     run = stored()
-    text = _text(
-        [score_run(run, protocol=run.protocol.with_radius(0)), score_run(run, protocol=run.protocol.with_radius(2))]
-    )
+    text = _text([score_run(run, protocol=run.protocol.with_radius(radius)) for radius in (0, 2)])
     assert text.index("night_right@0f") < text.index("night_right@2f")
 
 

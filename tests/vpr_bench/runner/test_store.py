@@ -97,7 +97,7 @@ def test_object_arrays_are_not_unpickled(case, store, built, mean_colour):
     record["files"]["labels.npz"] = sha256_of_file(stored.folder / "labels.npz")
     (stored.folder / "run.json").write_text(json.dumps(record))
     with pytest.raises(DataError, match="damaged"):
-        StoredRun.open(stored.folder).places
+        StoredRun.open(stored.folder).places.take([0])
 
 
 @pytest.mark.parametrize("name", ["/etc/evil", "../../up", "hloc/netvlad", "a:b", ".."])

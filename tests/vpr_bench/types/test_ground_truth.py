@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 
 from vpr_bench.errors import UsageError
 from vpr_bench.types.ground_truth import GroundTruth
@@ -150,3 +151,34 @@ def test_pairs_without_a_partner_are_refused():
 def test_broken_structure_is_refused(offsets, references, message):
     with pytest.raises(ValueError, match=message):
         GroundTruth(np.array(offsets), np.array(references), n_references=3)
+
+
+matrices = st.tuples(st.integers(1, 6), st.integers(1, 6)).flatmap(
+    lambda shape: st.tuples(arrays(np.bool_, shape), arrays(np.bool_, shape))
+)
+
+
+@given(matrices)
+def test_soft_matches_are_those_that_are_not_right_already(matrix):
+    hard, soft = matrix
+    n, m = hard.shape
+    truth = GroundTruth.from_pairs(*hard.nonzero(), n, m).with_soft(GroundTruth.from_pairs(*soft.nonzero(), n, m))
+    rows, columns = np.indices(hard.shape)
+    assert np.array_equal(truth.contains(rows, columns), hard)
+    assert np.array_equal(truth.soft.contains(rows, columns), soft & ~hard)
+    assert truth.transpose().transpose() == truth
+    assert truth.take(range(n)) == truth
+
+
+def test_a_pair_is_not_right_and_soft_at_once():
+    one = GroundTruth.from_lists([[0]], 2)
+    with pytest.raises(ValueError, match="right and soft"):
+        GroundTruth(one.offsets, one.references, 2, soft=one)
+    with pytest.raises(ValueError, match="relate 2 queries to 2 references, the others 1 to 2"):
+        GroundTruth(one.offsets, one.references, 2, soft=GroundTruth.from_lists([[0], []], 2))
+
+
+def test_queries_are_taken_in_any_order_and_more_than_once():
+    truth = GroundTruth.from_lists([[0, 1], [], [2]], 3)
+    taken = truth.take([2, 0, 0, 1])
+    assert [taken[query].tolist() for query in range(4)] == [[2], [0, 1], [0, 1], []]

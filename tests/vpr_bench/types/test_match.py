@@ -1,5 +1,7 @@
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from vpr_bench.types.match import Match
 
@@ -50,3 +52,14 @@ def test_ranking_refuses_what_cannot_be_ranked(scores, k):
 
 def test_a_method_may_answer_nothing():
     assert len(Match([], [])) == 0
+
+
+@given(st.lists(st.sampled_from([-np.inf, -1.0, 0.0, 0.5, 2.0]), min_size=1, max_size=60), st.integers(1, 12))
+def test_a_few_of_many_are_the_same_as_the_first_of_all(scores, k):
+    scores = [2.5, *scores]
+    expected = np.argsort(-np.array(scores), kind="stable")[:k]
+    if np.isneginf(np.array(scores)[expected]).any():
+        with pytest.raises(ValueError, match="finite"):
+            Match.from_scores(scores, k)
+    else:
+        assert Match.from_scores(scores, k).indices.tolist() == expected.tolist()

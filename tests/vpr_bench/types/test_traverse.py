@@ -1,5 +1,7 @@
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from PIL import Image
 
 from vpr_bench.errors import DataError
@@ -102,3 +104,31 @@ def test_images_have_names_for_messages(walk):
     assert walk.name_of(2) == "day_left/Image002.png"
     assert Traverse("memory", [grey(1)]).name_of(0) == "memory[0]"
     assert repr(walk) == "Traverse('day_left', 5 images)"
+
+
+@given(st.lists(st.integers(0, 4), min_size=1, max_size=5))
+def test_joining_and_splitting_again_loses_nothing(lengths):
+    image = np.zeros((2, 2, 3), np.uint8)
+    parts = [Traverse(f"part{number}", [image + number] * length) for number, length in enumerate(lengths)]
+    joined = Traverse.join(parts)
+    again = joined.split()
+    assert [(part.name, len(part)) for part in again] == [(part.name, len(part)) for part in parts]
+    assert all(
+        one is other
+        for new, old in zip(again, parts, strict=True)
+        for one, other in zip(new.sources, old.sources, strict=True)
+    )
+    assert Traverse.join([joined, parts[0]]).split()[-1].sources == parts[0].sources
+
+
+def test_traverses_of_different_cameras_are_not_joined():
+    image = np.zeros((2, 2, 3), np.uint8)
+    with pytest.raises(ValueError, match="converted alike"):
+        Traverse.join([Traverse("a", [image]), Traverse("b", [image], convert=np.negative)])
+    with pytest.raises(ValueError, match="can be joined if there are some"):
+        Traverse.join([])
+
+
+def test_a_traverse_that_was_not_joined_is_its_own_part():
+    walk = Traverse("walk", [np.zeros((2, 2, 3), np.uint8)] * 3)
+    assert [(part.name, len(part)) for part in walk.split()] == [("walk", 3)]

@@ -1,0 +1,164 @@
+"""Images that carry their position in their name: ``@UTM_east@UTM_north@….jpg``."""
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from vpr_bench.dataset.card import TraverseCard
+from vpr_bench.dataset.layout import Layout, Recognised
+from vpr_bench.dataset.recording import Recording
+from vpr_bench.errors import DataError
+from vpr_bench.types.traverse import Traverse
+from vpr_datasets.layouts.compasses import joint_compass
+from vpr_datasets.layouts.faults import check_count, refuse
+from vpr_datasets.layouts.looking import first_image, folders_in, walk_images
+from vpr_datasets.layouts.metres import is_northern
+from vpr_datasets.layouts.positioned import Found, positioned
+from vpr_datasets.layouts.texts import parse_number
+
+_ADVICE = "Rename the images, or move them away."
+_USUAL = ("images/test", "test", "images/val", "val")
+"""Where the folders ``database`` and ``queries`` lie in a dataset that is cut into train, val and test."""
+
+
+@dataclass(frozen=True)
+class Name:
+    """What a file's name says.
+
+    Attributes
+    ----------
+    east, north : float
+        Metres.
+    zone : str
+        Zone number and hemisphere, ``33N``; empty where the name has none.
+    heading : float
+        Degrees clockwise from north, NaN where the name has none.
+    """
+
+    east: float
+    north: float
+    zone: str = ""
+    heading: float = math.nan
+
+
+def parse_name(name: str) -> Name:
+    """Read a file's name. Only the first two fields must be filled.
+
+    Raises
+    ------
+    ValueError
+        If they are not there, or are no numbers.
+
+    Examples
+    --------
+    >>> parse_name("@0@00002.3@@@@@1@@@@@@@@.jpg")
+    Name(east=0.0, north=2.3, zone='', heading=nan)
+    """
+    before, *fields = name.split("@")[:-1] or [name]
+    if before or len(fields) < 2:
+        raise ValueError("the name is not @UTM_east@UTM_north@…")
+    fields += [""] * 9
+    return Name(parse_number(fields[0]), parse_number(fields[1]), _zone(fields[2], fields[3]), _heading(fields[8]))
+
+
+def load(folder: Path, card: TraverseCard, zone: str = "") -> Recording:
+    """Find the images of one traverse, however deep they lie.
+
+    Parameters
+    ----------
+    folder : Path
+        The traverse's folder; links to other folders in it are not followed.
+    card : TraverseCard
+        May say how many images there must be.
+    zone : str
+        UTM zone's number and hemisphere, ``33N``, that the names must agree with if they have one.
+
+    Returns
+    -------
+    Recording
+        Sorted by path. Labels are (n, 2) metres; the compass is there if all names have a heading.
+
+    Raises
+    ------
+    DataError
+        If a name holds no position, or positions are in different zones: their metres cannot be compared.
+    """
+    if not folder.is_dir():
+        raise DataError(f"The folder {folder} is missing. Restore it, or fetch the dataset again.")
+    images = sorted(walk_images(folder), key=lambda file: file.relative_to(folder).as_posix())
+    check_count(folder, card, len(images))
+    names, faults = [], []
+    for image in images:
+        try:
+            names.append(parse_name(image.name))
+        except ValueError as error:
+            faults.append(f"{image}: {error}")
+    refuse(faults, _ADVICE)
+    _common_zone(folder, {zone, *(name.zone for name in names)})
+    labels = np.array([(name.east, name.north) for name in names], dtype=np.float64)
+    compass = joint_compass(np.array([name.heading for name in names]), folder)
+    return Recording(Traverse(card.name, images), labels, compass)
+
+
+def recognise(folder: Path) -> Recognised | None:
+    """Look for folders of images with such names; ``database`` and ``queries`` may lie in ``images/test``."""
+    usual = [folder / place for place in _USUAL]
+    roots = [root for root in usual if (root / "database").is_dir() and (root / "queries").is_dir()]
+    root = next(iter(roots), folder)
+    found = [one for one in folders_in(root) if _is_named(first_image(one))]
+    if len(found) < 2:
+        return None
+    traverses, zones = [], set()
+    for one in found:
+        names = [image.name for image in walk_images(one)]
+        zones |= set(_zones(names))
+        traverses.append(Found(one.name, one.relative_to(folder).as_posix(), len(names)))
+    zone = _common_zone(folder, zones)
+    return positioned("positions in their names", traverses, {"zone": zone} if zone else None)
+
+
+def _zones(names: Iterable[str]) -> Iterable[str]:
+    for name in names:
+        if _is_named(Path(name)):
+            yield parse_name(name).zone
+
+
+def _is_named(image: Path | None) -> bool:
+    try:
+        return image is not None and bool(parse_name(image.name))
+    except ValueError:
+        return False
+
+
+def _common_zone(folder: Path, zones: set[str]) -> str:
+    known = sorted(zones - {""})
+    if len(known) > 1:
+        raise DataError(
+            f"The images in {folder} have positions in different UTM zones, {known[0]} and {known[1]}: their metres "
+            "cannot be compared. Write all of them in one zone."
+        )
+    return next(iter(known), "")
+
+
+def _zone(number: str, letter: str) -> str:
+    """Write a zone so that two are equal if their metres can be compared; bands of latitude do not matter for that."""
+    hemisphere = ("N" if is_northern(letter.upper()) else "S") if len(letter) == 1 else letter
+    return f"{number.lstrip('0')}{hemisphere}"
+
+
+def _heading(text: str) -> float:
+    try:
+        return parse_number(text)
+    except ValueError:
+        return math.nan
+
+
+LAYOUT = Layout(
+    about="folders of images with their UTM position in the name, as @easting@northing@….jpg",
+    load=load,
+    recognise=recognise,
+    rank=60,
+)
