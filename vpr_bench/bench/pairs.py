@@ -4,13 +4,12 @@ import platform
 import time
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
-from pathlib import Path
 from typing import Any
 
 import numpy as np
-import psutil
 from numpy.typing import NDArray
 
+from vpr_bench.bench.memory import peak_rss_bytes
 from vpr_bench.cores import available_cores
 from vpr_bench.metrics.pairs import MAX_THREADS, pr_auc_pairs
 from vpr_bench.types.ground_truth import GroundTruth
@@ -88,20 +87,6 @@ def _measure(n_queries: int, dimensions: int, radius: float, seed: int) -> dict[
         "threads": threads,
         "machine": platform.machine(),
         "seconds": seconds,
-        "peak_rss_bytes": _peak_rss_bytes(),
+        "peak_rss_bytes": peak_rss_bytes(),
         "pr_auc_pairs": value,
     }
-
-
-def _peak_rss_bytes() -> int:
-    """Return the most memory this process has held.
-
-    Linux and Windows tell it; elsewhere it is what the process holds now.
-    """
-    status = Path("/proc/self/status")
-    if status.exists():
-        for line in status.read_text().splitlines():
-            if line.startswith("VmHWM:"):
-                return int(line.split()[1]) * 1024
-    memory = psutil.Process().memory_info()
-    return int(getattr(memory, "peak_wset", memory.rss))

@@ -7,6 +7,7 @@ import typer
 
 from vpr_bench.cli.bars import progress_bars
 from vpr_bench.cli.console import write
+from vpr_bench.errors import UsageError
 
 app = typer.Typer(help="Measure the harness itself: time and memory.", no_args_is_help=True)
 
@@ -28,3 +29,21 @@ def pairs(
 
     with progress_bars():
         write(json.dumps(run(queries, dimensions, radius, seed), indent=2))
+
+
+@app.command("streaming")
+def streaming(
+    dataset: Annotated[str, typer.Option(help="Whose images are repeated.")],
+    method: Annotated[str, typer.Option("--method", "-m", help="Name of the method.")],
+    param: Annotated[list[str] | None, typer.Option("--param", "-p", help="Parameter name=value.")] = None,
+    frames: Annotated[int, typer.Option(min=2, help="Length of each traverse.")] = 27_592,
+    limit: Annotated[int, typer.Option(min=1, help="Queries that are asked.")] = 200,
+) -> None:
+    """Measure memory and time of a whole run on long traverses, and print the facts as JSON."""
+    from vpr_bench.bench.streaming import run
+
+    parameters = dict(assignment.split("=", 1) for assignment in param or [] if "=" in assignment)
+    if len(parameters) < len(param or []):
+        raise UsageError(f"A parameter is written name=value. Got {', '.join(param or [])} instead.")
+    with progress_bars():
+        write(json.dumps(run(dataset, method, parameters, frames, limit), indent=2))

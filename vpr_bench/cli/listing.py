@@ -27,6 +27,7 @@ vpr-bench info twostage
 
 Kind = Literal["methods", "datasets", "metrics"]
 TextFormat = Literal["table", "json"]
+PageFormat = Literal["table", "json", "markdown"]
 
 KindArgument = Annotated[Kind | None, typer.Argument(help="What to list. Default: everything.")]
 TextFormatOption = Annotated[TextFormat, typer.Option("--format", "-f", help="How to write to stdout.")]
@@ -51,10 +52,19 @@ def list_(kind: KindArgument = None, form: TextFormatOption = "table") -> None:
 
 
 def info(
-    name: Annotated[str, typer.Argument(help="A method, dataset or metric.")],
-    form: TextFormatOption = "table",
+    name: Annotated[str, typer.Argument(help="A method, dataset or metric, or a folder of your own images.")],
+    form: Annotated[
+        PageFormat, typer.Option("--format", "-f", help="How to write to stdout; markdown for datasets only.")
+    ] = "table",
 ) -> None:
     """Say everything about one method, dataset or metric."""
+    if form == "markdown":
+        from vpr_bench.dataset.request import Request
+        from vpr_bench.dataset.source import find_whole_card
+        from vpr_bench.report.card_page import card_page
+
+        write(card_page(find_whole_card(Request.parse(name))).rstrip("\n"))
+        return
     facts = _describe(name)
     if form == "json":
         _write_json(facts)
@@ -77,7 +87,8 @@ def _line(facts: dict[str, Any]) -> str:
 
 def _describe(name: str) -> dict[str, Any]:
     from vpr_bench.dataset.card import DATASETS, as_card
-    from vpr_bench.dataset.request import Request
+    from vpr_bench.dataset.own import own_card
+    from vpr_bench.dataset.request import Request, own_folder
     from vpr_bench.method.build import METHODS
 
     methods = {entry.name for entry in METHODS.entries()}
@@ -85,6 +96,9 @@ def _describe(name: str) -> dict[str, Any]:
     dataset = Request.parse(name).dataset  # gardens:simulated and whole protocol ids name it too
     if dataset in datasets:
         return _describe_card(as_card(DATASETS.entry(dataset).load()), DATASETS.entry(dataset).origin)
+    own = None if name in methods else own_folder(name)
+    if own is not None:
+        return _describe_card(own_card(own), str(own))
     if name in methods or ":" in name:
         entry = METHODS.entry(name)
         parameters = [{"parameter": key, "default": value} for key, value in entry.parameters().items()]

@@ -8,7 +8,7 @@ from vpr_bench.dataset.editions import find_images, search
 from vpr_bench.dataset.folders import data_root
 from vpr_bench.dataset.known import known_digest, remember_digest, vouched_digest
 from vpr_bench.dataset.load import load_traverse
-from vpr_bench.download import fetch_archive
+from vpr_bench.download import extract_archive, fetch_archive
 from vpr_bench.errors import DataError, VprBenchError
 from vpr_bench.progress import track
 
@@ -34,7 +34,11 @@ def fetch_images(card: Card) -> Path:
         obtain = card.obtain or f"Get it from {card.homepage}."
         raise DataError(f"{card.id} cannot be downloaded automatically. {obtain}")
 
+    inner = card.download.inner
+
     def check(folder: Path) -> None:
+        if inner:
+            _unpack_inner(folder, inner)
         traverses = search(folder, card)
         if traverses is None:
             raise DataError(f"The archive holds none of the traverse folders of {card.id}.")
@@ -49,6 +53,15 @@ def fetch_images(card: Card) -> Path:
     if traverses is None:  # it was there before, and so nothing was fetched
         raise DataError(f"{folder} holds none of the traverse folders of {card.id}. {_AWAY}")
     return traverses
+
+
+def _unpack_inner(folder: Path, name: str) -> None:
+    found = sorted(path for path in folder.rglob(name) if path.is_file())
+    if len(found) != 1:
+        raise DataError(f"The archive should hold one {name}: found {len(found)}.")
+    archive = found[0].rename(found[0].with_name(f".{name}"))  # which may have no ending to tell the folder by
+    extract_archive(archive, archive.with_name(Path(name).stem))
+    archive.unlink()
 
 
 def accept_images(card: Card, folder: Path, source: str) -> None:

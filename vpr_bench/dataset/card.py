@@ -51,6 +51,7 @@ class Download(_Frozen):
 
     url: str = Field(pattern=r"^https?://")
     sha256: Digest | None = None
+    inner: InnerPath = Field("", description="name of an archive in the archive, which is unpacked in its place")
 
 
 class Loader(_Frozen):

@@ -63,6 +63,8 @@ def parse_parts(name: str) -> list[Part]:
         traverse, *steps = piece.split(".")
         found = [_STEP.fullmatch(step) for step in steps]
         if None in found:
-            raise UsageError(f"{piece!r} is not part of a traverse. Write it like {traverse}.every10, .first100 or .even100.")
+            raise UsageError(
+                f"{piece!r} is not part of a traverse. Write it like {traverse}.every10, .first100 or .even100."
+            )
         parts.append(Part(traverse, tuple((step[1], int(step[2])) for step in found if step)))
     return parts

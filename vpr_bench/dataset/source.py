@@ -10,6 +10,20 @@ from vpr_bench.dataset.own import own_card
 from vpr_bench.dataset.request import Request, own_folder
 
 
+def find_whole_card(request: Request) -> Card:
+    """Return the card of what was asked for, with all its editions; nothing needs to be on disk.
+
+    Raises
+    ------
+    UsageError
+        If there is no such dataset.
+    DataError
+        If a folder of one's own is not recognised.
+    """
+    own = own_folder(request.dataset)
+    return find_card(request.dataset) if own is None else own_card(own)
+
+
 @dataclass(frozen=True, eq=False)
 class Source:
     """A dataset in one edition.
@@ -42,13 +56,11 @@ class Source:
         DataError
             If the real images are needed and are not on disk, or a folder of one's own is not recognised.
         """
-        own = own_folder(request.dataset)
-        if own is None:
-            card = find_card(request.dataset)
-            edition = choose_edition(card, request.edition)
-            return cls(card.in_edition(edition), edition, card)
-        card = own_card(own)
-        return cls(card, "real", card, own)
+        own, card = own_folder(request.dataset), find_whole_card(request)
+        if own is not None:
+            return cls(card, "real", card, own)
+        edition = choose_edition(card, request.edition)
+        return cls(card.in_edition(edition), edition, card)
 
     @property
     def name(self) -> str:

@@ -18,11 +18,10 @@ from vpr_bench.files.npy import Npy, read_limited
 LIMIT = 256_000_000
 """Bytes: a larger file is not read."""
 
-_INSTRUCTIONS = frozenset(
-    "PROTO FRAME STOP MARK NONE NEWTRUE NEWFALSE INT BININT BININT1 BININT2 LONG LONG1 LONG4 FLOAT BINFLOAT STRING "
-    "BINSTRING SHORT_BINSTRING UNICODE BINUNICODE SHORT_BINUNICODE BINUNICODE8 BINBYTES SHORT_BINBYTES BINBYTES8 "
-    "EMPTY_LIST LIST APPEND APPENDS EMPTY_TUPLE TUPLE TUPLE1 TUPLE2 TUPLE3 PUT BINPUT LONG_BINPUT GET BINGET "
-    "LONG_BINGET MEMOIZE GLOBAL STACK_GLOBAL INST REDUCE BUILD".split()
+_INSTRUCTIONS = re.compile(
+    "PROTO|FRAME|STOP|MARK|NONE|NEWTRUE|NEWFALSE|(BIN)?INT[12]?|LONG[14]?|(BIN)?FLOAT|(SHORT_)?(BIN)?(STRING|UNICODE8?)|"
+    "(SHORT_)?BINBYTES8?|(EMPTY_)?(LIST|TUPLE)|TUPLE[123]|APPENDS?|((LONG_)?BIN)?(PUT|GET)|MEMOIZE|"
+    "(STACK_)?GLOBAL|INST|REDUCE|BUILD"
 )
 """What numbers, strings, lists, tuples and arrays are written with. All else, dicts among it, is refused."""
 
@@ -60,8 +59,6 @@ def read_object_array(path: Path, limit: int = LIMIT) -> NDArray[Any]:
         return stored.numbers()
     try:
         array = _Reader(stored.content[stored.body :]).load()
-        if not isinstance(array, _Array) or array.shape != stored.shape:
-            raise ValueError(f"the header promises an array of {stored.shape}")
     except Forbidden as error:
         raise DataError(
             f"{path} is refused: its pickle asks for {one_line(error):.200}, which an array of numbers does not need. "
@@ -70,6 +67,8 @@ def read_object_array(path: Path, limit: int = LIMIT) -> NDArray[Any]:
     except Exception as error:  # whatever a damaged pickle makes the reader raise
         why = f"{type(error).__name__}: {one_line(error):.200}"
         raise DataError(f"{path} is damaged ({why}). Get it again.") from None
+    if not isinstance(array, _Array) or array.shape != stored.shape:
+        raise DataError(f"{path} is damaged: it promises an array of {stored.shape} and holds another. Get it again.")
     return array.view(np.ndarray)
 
 
@@ -83,7 +82,7 @@ def _instructions() -> dict[int, Callable[[Any], None]]:
         return refuse
 
     return {
-        code: do if names[code] in _INSTRUCTIONS else refusing(names[code])
+        code: do if _INSTRUCTIONS.fullmatch(names[code]) else refusing(names[code])
         for code, do in pickle._Unpickler.dispatch.items()
     }
 
@@ -195,7 +194,7 @@ class _Array(np.ndarray[Any, Any]):
         if not fits or any(type(one) is not int or one < 0 for one in shape):
             raise ValueError(f"an array of {shape} {dtype} has other content")
         self._budget.take(size * dtype.itemsize)
-        super().__setstate__((1, shape, dtype, bool(fortran), content))
+        super().__setstate__((1, shape, dtype, bool(fortran), content))  # type: ignore[arg-type]
 
 
 def _scalar(plain: _Type, content: object) -> Any:

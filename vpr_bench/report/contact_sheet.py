@@ -16,7 +16,7 @@ from vpr_bench.report.sheet_header import draw_header
 WIDTH, MARGIN = 1600, 36
 """Of the sheet, in pixels."""
 
-PER_BAND, WIDEST = 8, 372
+PER_BAND, WIDEST = 8, 296
 """How many queries stand side by side, and how wide one is at most where there are fewer."""
 
 
@@ -53,7 +53,7 @@ def draw_contact_sheet(case: Case, file: Path, count: int = 8, seed: int = 0) ->
     width = min((inner + GAP) // min(PER_BAND, len(columns)) - GAP, WIDEST)
     parts = [draw_header(case, columns, inner)]
     for first in range(0, len(columns), PER_BAND):
-        parts.append(draw_band(case, columns[first : first + PER_BAND], first + 1, width))
+        parts += [draw_band(case, columns[first : first + PER_BAND], first + 1, width)]
     parts.append(draw_plots(case, columns, inner))
     with replacing(file) as temporary:
         _stack(parts).save(temporary, format="PNG")

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vpr_bench.dataset.load import Case
-from vpr_bench.report.ink import AMBER, BLUE, GREEN, GREY, INK
+from vpr_bench.report.ink import AMBER, BLUE, GREEN, GREY, INK, PAPER, cut, font
 from vpr_bench.report.sheet_columns import Column
 from vpr_bench.types.ground_truth import GroundTruth
 
@@ -37,10 +37,11 @@ def draw_plots(case: Case, columns: Sequence[Column], width: int) -> "Image.Imag
     from PIL import Image
 
     positions = _positions(case)
-    colours = {"axes.edgecolor": GREY, "axes.labelcolor": INK, "xtick.color": GREY, "ytick.color": GREY}
-    with rc_context({"font.size": 9, "font.family": "DejaVu Sans", "axes.linewidth": 0.8, **colours}):
+    style: Any = {"font.size": 9, "font.family": "DejaVu Sans", "axes.linewidth": 0.8}
+    style |= {"axes.edgecolor": GREY, "axes.labelcolor": INK, "xtick.color": GREY, "ytick.color": GREY}
+    with rc_context(style):
         figure = Figure(figsize=(width / 100, 4.8 if positions else 2.8), dpi=100, layout="constrained")
-        canvas = FigureCanvasAgg(figure)
+        canvas: Any = FigureCanvasAgg(figure)
         if positions:
             on_map, pairs = figure.subplots(1, 2, width_ratios=(3, 2))
             _draw_map(on_map, *positions, case.ground_truth, columns)
@@ -52,7 +53,7 @@ def draw_plots(case: Case, columns: Sequence[Column], width: int) -> "Image.Imag
 
 
 def _positions(case: Case) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:
-    """Return where queries and references are, in metres from the corner of the map; None if labels are no positions."""
+    """Return where queries and references are, in metres from the map's corner; None if labels are no positions."""
     queries, references = case.places.queries, case.places.references
     if queries is None or references is None or queries.ndim != 2 or queries.shape[1] < 2 or not len(references):
         return None
@@ -69,9 +70,9 @@ def _draw_map(
 ) -> None:
     from matplotlib.collections import LineCollection
 
-    for places, colour, label in ((references, "#9ca3af", "references"), (queries, "#7fb8d8", "queries")):
+    for places, colour, label in ((references, "#8b93a1", "references"), (queries, "#6fb3dc", "queries")):
         some = places[:: -(-len(places) // _DOTS)]
-        axes.scatter(some[:, 0], some[:, 1], s=7, color=colour, linewidths=0, label=label)
+        axes.scatter(some[:, 0], some[:, 1], s=10, color=colour, linewidths=0, label=label)
     chosen = queries[[column.query for column in columns]]
     lines = [
         [queries[column.query], references[one]] for column in columns for one in truth[column.query][:_LINES].tolist()
@@ -92,7 +93,15 @@ def _draw_map(
     axes.set_title("Where they are", fontsize=10, loc="left", color=INK)
     axes.margins(0.06)
     axes.grid(alpha=0.25)
-    axes.legend(loc="upper left", bbox_to_anchor=(0, -0.12), ncols=4, frameon=False, borderpad=0, handlelength=1.2)
+    axes.legend(
+        loc="upper left",
+        bbox_to_anchor=(0, -0.12),
+        ncols=4,
+        frameon=False,
+        borderpad=0,
+        handlelength=1.2,
+        markerscale=1.5,
+    )
     _number(axes, chosen)
 
 
@@ -100,18 +109,30 @@ def _number(axes: "Axes", points: NDArray[np.float64]) -> None:
     """Write each query's number beside it, where no other number stands."""
     if len(points) > _NUMBERED:
         return
+    from matplotlib.patheffects import withStroke
+
     axes.apply_aspect()
     pixels = axes.transData.transform(points)
     taken: list[NDArray[np.float64]] = []
-    around = [(reach * np.cos(turn), reach * np.sin(turn)) for reach in (13, 26, 39) for turn in np.pi * (np.arange(8) / 4 + 0.25)]
+    turns = np.pi * (np.arange(8) / 4 + 0.25)
+    around = [(reach * np.cos(turn), reach * np.sin(turn)) for reach in (13, 26, 39) for turn in turns]
     for number, (point, pixel) in enumerate(zip(points, pixels, strict=True), start=1):
         others = np.delete(pixels, number - 1, axis=0)
         crowding = [_crowding(pixel + offset, [*taken, *others]) for offset in around]
         offset = around[int(np.argmin(crowding))]
         taken.append(pixel + offset)
         axes.annotate(
-            str(number), tuple(point), offset, textcoords="offset pixels", ha="center", va="center",
-            color=BLUE, fontsize=9, fontweight="bold", zorder=5,
+            str(number),
+            tuple(point),
+            offset,
+            textcoords="offset pixels",
+            ha="center",
+            va="center",
+            color=BLUE,
+            fontsize=9,
+            fontweight="bold",
+            zorder=5,
+            path_effects=[withStroke(linewidth=2.5, foreground=PAPER)],
         )
 
 
@@ -123,6 +144,8 @@ def _crowding(spot: NDArray[np.float64], others: list[Any]) -> float:
 
 def _draw_pairs(axes: "Axes", case: Case, columns: Sequence[Column]) -> None:
     """Draw which references are right for which query: a diagonal where both walked the same way."""
+    from matplotlib.ticker import MaxNLocator
+
     truth = case.ground_truth
     for pairs, colour in ((truth.soft, AMBER), (truth, GREEN)):
         if pairs is not None:
@@ -132,11 +155,23 @@ def _draw_pairs(axes: "Axes", case: Case, columns: Sequence[Column]) -> None:
     if len(shown) <= _NUMBERED:
         for number, (query, place) in enumerate(zip(shown, _spread(shown, truth.n_queries * 0.022), strict=True), 1):
             axes.annotate(
-                str(number), (query, 1), (place, 1.02), xycoords=axes.get_xaxis_transform(),
-                textcoords=axes.get_xaxis_transform(), ha="center", va="bottom", color=BLUE, fontsize=9,
+                str(number),
+                (query, 1),
+                (place, 1.02),
+                xycoords=axes.get_xaxis_transform(),
+                textcoords=axes.get_xaxis_transform(),
+                ha="center",
+                va="bottom",
+                color=BLUE,
+                fontsize=9,
                 fontweight="bold",
             )
-    axes.set(xlabel=f"query of {case.protocol.queries}", ylabel=f"reference of {case.protocol.references}")
+    axes.set(
+        xlabel=f"query of {cut(case.protocol.queries, 240, font(12))}",
+        ylabel=f"reference of {cut(case.protocol.references, 110, font(12))}",
+    )
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(MaxNLocator(integer=True, steps=[1, 2, 5, 10]))
     axes.set_title("Which references match which query", fontsize=10, loc="left", color=INK, pad=18)
 
 
@@ -154,4 +189,5 @@ def _draw_cells(axes: "Axes", pairs: GroundTruth, colour: str) -> None:
 def _spread(places: NDArray[np.float64], gap: float) -> NDArray[np.float64]:
     """Move ascending places apart until neighbours have a gap between them, as little as that takes going right."""
     steps = gap * np.arange(len(places))
-    return np.maximum.accumulate(places - steps) + steps
+    spread: NDArray[np.float64] = np.maximum.accumulate(places - steps) + steps
+    return spread

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import zip_longest
 from pathlib import Path
 
 from PIL import Image, ImageDraw
@@ -47,10 +48,8 @@ def draw_band(case: Case, columns: Sequence[Column], first: int, width: int) -> 
     inner = width - 2 * _PAD
     cells = [_cells(case, column, number, inner) for number, column in enumerate(columns, first)]
     notes = [_note(column) for column in columns]
-    heights = [
-        max([_LEAST, *(one[row].picture.height for one in cells if row < len(one) and one[row].picture)])
-        for row in range(max(len(column) for column in cells))
-    ]
+    rows = zip_longest(*cells)
+    heights = [max([_LEAST, *(one.picture.height for one in row if one and one.picture)]) for row in rows]
     tops = [_PAD + sum(heights[:row]) + row * _CAPTION for row in range(len(heights) + 1)]
     height = max(tops[len(column)] + (_LINE if note else 0) for column, note in zip(cells, notes, strict=True))
     band = Image.new("RGB", (len(columns) * (width + GAP) - GAP, height + _PAD // 2), PAPER)
@@ -80,7 +79,7 @@ def _reference(case: Case, shown: Shown, width: int) -> _Cell:
     if shown.kind == "none":
         return _Cell(None, colour, "no match", ("", ""))
     away = "" if shown.distance is None else f" · {_length(case, shown.distance)}"
-    lines = (f"reference {shown.reference}{away}", _name(case.references, shown.reference))
+    lines = (f"ref {shown.reference}{away}", _name(case.references, shown.reference))
     return _Cell(_picture(case.references, shown.reference, width), colour, tag, lines)
 
 
@@ -106,18 +105,19 @@ def _name(traverse: Traverse, index: int) -> str:
 
 def _note(column: Column) -> str:
     """Say how many more there are than are shown."""
-    more = [f"{column.more:,} more" if column.more else "", f"{column.more_soft:,} more soft" if column.more_soft else ""]
-    return "… and " + ", ".join(filter(None, more)) if any(more) else ""
+    more = [f"{column.more:,} more"] * (column.more > 0) + [f"{column.more_soft:,} more soft"] * (column.more_soft > 0)
+    return f"… and {', '.join(more)}" if more else ""
 
 
 def _draw_cell(band: Image.Image, cell: _Cell, corner: tuple[int, int], space: tuple[int, int]) -> None:
     pen = ImageDraw.Draw(band)
     (left, top), (width, height) = corner, space
     if cell.picture is None:
-        pen.rounded_rectangle((left, top, left + width - 1, top + height - 1), 6, PAPER, "#d1d5db", 1)
-        pen.text((left + width // 2, top + height // 2), cell.tag, GREY, font(13, bold=True), "mm")
+        empty = min(height, round(0.6 * width))
+        pen.rounded_rectangle((left, top + height - empty, left + width - 1, top + height - 1), 6, PAPER, cell.colour)
+        pen.text((left + width // 2, top + height - empty // 2), cell.tag, GREY, font(13, bold=True), "mm")
         return
-    x, y = left + (width - cell.picture.width) // 2, top + (height - cell.picture.height) // 2
+    x, y = left + (width - cell.picture.width) // 2, top + height - cell.picture.height  # on its lines, not above
     around = (x - _FRAME, y - _FRAME, x + cell.picture.width + _FRAME - 1, y + cell.picture.height + _FRAME - 1)
     pen.rectangle(around, cell.colour)
     band.paste(cell.picture, (x, y))
@@ -125,7 +125,7 @@ def _draw_cell(band: Image.Image, cell: _Cell, corner: tuple[int, int], space: t
         face = font(13, bold=True)
         length = round(face.getlength(cell.tag))
         pen.rectangle((around[0], around[1], around[0] + length + 11, around[1] + 20), cell.colour)
-        pen.text((around[0] + 6, around[1] + 3), cell.tag, PAPER, face)
+        pen.text((around[0] + 6, around[1] + 3), cell.tag, INK if cell.colour == AMBER else PAPER, face)
     below = top + height + 5
     for line, colour in zip(cell.lines, (INK, GREY), strict=True):
         _write(pen, line, (left + width // 2, below), width, colour)

@@ -8,13 +8,13 @@ from PIL import Image, ImageDraw
 from vpr_bench.dataset.load import Case
 from vpr_bench.report.ink import BLUE, GREY, INK, PAPER, RED, cut, font
 from vpr_bench.report.sheet_band import COLOURS
-from vpr_bench.report.sheet_columns import Column, Kind
+from vpr_bench.report.sheet_columns import Column, Kind, Shown
 from vpr_bench.types.ground_truth import GroundTruth
-from vpr_bench.types.protocol import UNMEASURED, Protocol
+from vpr_bench.types.protocol import Protocol
 
 _SIMULATED = "SIMULATED IMAGES"
 _MEANINGS: dict[Kind, str] = {
-    "match": "true match: the nearest first, the farthest last",
+    "match": "true match, {order}",
     "soft": "soft match: neither right nor wrong",
     "miss": "no true match: the nearest reference, for comparison",
 }
@@ -45,15 +45,15 @@ def draw_header(case: Case, columns: Sequence[Column], width: int) -> Image.Imag
     pen.text((0, 40), cut(_counts(case), width, font(15)), INK, font(15))
     without = int(np.sum(~case.ground_truth.has_match))
     pen.text((0, 63), cut(_matches(case.ground_truth), width, font(15)), RED if without else INK, font(15))
-    _draw_legend(pen, {one.kind for column in columns for one in column.shown})
+    _draw_legend(pen, [one for column in columns for one in column.shown])
     return header
 
 
 def _counts(case: Case) -> str:
-    protocol = case.protocol
+    queries, references = (cut(name, 320, font(15)) for name in (case.protocol.queries, case.protocol.references))
     return (
-        f"{len(case.queries):,} queries of {protocol.queries}, looked up in "
-        f"{len(case.references):,} references of {protocol.references}: {_place(protocol)}"
+        f"{_number(len(case.queries), 'query', 'queries')} of {queries}, looked up in "
+        f"{_number(len(case.references), 'reference')} of {references}: {_place(case.protocol)}"
     )
 
 
@@ -61,9 +61,17 @@ def _place(protocol: Protocol) -> str:
     """Say in words what counts as the same place."""
     if protocol.unit == "nearest":
         return f"the {protocol.radius:.0f} nearest are its place"
-    if protocol.unit in UNMEASURED:
-        return "those of the same id are its place" if protocol.unit == "pair" else "the dataset lists what is its place"
-    return f"those at most {protocol.radius:g} {'frames' if protocol.unit == 'f' else 'metres'} away are its place"
+    if protocol.unit == "pair":
+        return "those of the same id are its place"
+    if protocol.unit == "given":
+        return "the dataset lists what is its place"
+    radius = _number(protocol.radius, "frame" if protocol.unit == "f" else "metre")
+    return f"those at most {radius} away are its place"
+
+
+def _number(count: float, one: str, many: str = "") -> str:
+    written = f"{count:,.0f}" if float(count).is_integer() else f"{count:g}"
+    return f"{written} {one if count == 1 else many or one + 's'}"
 
 
 def _matches(truth: GroundTruth) -> str:
@@ -73,7 +81,7 @@ def _matches(truth: GroundTruth) -> str:
     if without == len(per_query):
         said = "No query has a match"
     else:
-        share = f"{without:,} queries ({without / len(per_query):.1%}) have no match" if without else ""
+        share = f"{_number(without, 'query', 'queries')} ({without / len(per_query):.1%}) without a match"
         some = per_query[per_query > 0]
         spread = f"{some.min():,}" if some.min() == some.max() else f"{some.min():,} to {some.max():,}"
         each = "match" if some.max() == 1 else "matches"
@@ -84,10 +92,13 @@ def _matches(truth: GroundTruth) -> str:
     return said if truth.soft is None else f"{said}; {len(truth.soft.references):,} pairs are soft"
 
 
-def _draw_legend(pen: ImageDraw.ImageDraw, kinds: set[Kind]) -> None:
-    meanings = [(BLUE, "query"), *((COLOURS[kind], text) for kind, text in _MEANINGS.items() if kind in kinds)]
+def _draw_legend(pen: ImageDraw.ImageDraw, shown: Sequence[Shown]) -> None:
+    kinds = {one.kind for one in shown}
+    measured = any(one.distance is not None for one in shown)
+    order = "the nearest first, the farthest last" if measured else "the middle one first, the outermost last"
     left = 0
-    for colour, text in meanings:
+    meanings = [(COLOURS[kind], text.format(order=order)) for kind, text in _MEANINGS.items() if kind in kinds]
+    for colour, words in [(BLUE, "query"), *meanings]:
         pen.rectangle((left, 94, left + 13, 107), outline=colour, width=3)
-        pen.text((left + 21, 93), text, GREY, font(13))
-        left += round(font(13).getlength(text)) + 49
+        pen.text((left + 21, 93), words, GREY, font(13))
+        left += round(font(13).getlength(words)) + 49

@@ -66,34 +66,31 @@ def load(folder: Path, card: TraverseCard, zone: str) -> Recording:
 def recognise(folder: Path) -> Recognised | None:
     """Look for folders of images with JSON files beside them, in the folder or one level below."""
     outer = folders_in(folder)
-    candidates = outer + [inner for one in outer for inner in folders_in(one)]
-    found = {one: images for one in candidates if _are_described(images := images_in(one))}
+    found = []
+    for one in outer + [inner for place in outer for inner in folders_in(place)]:
+        images = images_in(one)
+        described = next((file for file in map(_beside, images) if file.is_file()), None)
+        if described is not None and _may_hold_fix(described):
+            area = "" if one.parent == folder else one.parent.name
+            found.append((Found(one.name, one.relative_to(folder).as_posix(), len(images), area), described))
     if len(found) < 2:
         return None
-    traverses = [
-        Found(
-            one.name, one.relative_to(folder).as_posix(), len(images), "" if one.parent == folder else one.parent.name
-        )
-        for one, images in found.items()
-    ]
-    first = _beside(next(iter(found.values()))[0])
+    first = found[0][1]
     try:
         latitude, longitude, _ = _read_fix(first)
         zone = zone_of(latitude, longitude)
     except (DataError, PositionError) as error:
         raise DataError(f"{first}: {error}. {_ADVICE}") from None
-    return positioned("positions in JSON files beside them", traverses, {"zone": zone})
+    return positioned("positions in JSON files beside them", [one for one, _ in found], {"zone": zone})
 
 
-def _are_described(images: list[Path]) -> bool:
-    """Say whether images are Mapillary's: by the first JSON file beside one, which may also be damaged."""
-    first = next((file for file in map(_beside, images) if file.is_file()), None)
-    if first is None:
-        return False
+def _may_hold_fix(file: Path) -> bool:
+    """Say whether a JSON file is Mapillary's, or too damaged to tell: then the user must know."""
     try:
-        return {"lat", "lon"} <= set(_read_object(first))
+        content = _read_json(file)
     except DataError:
-        return True  # loading says what is wrong
+        return True
+    return isinstance(content, dict) and {"lat", "lon"} <= set(content)
 
 
 def _beside(image: Path) -> Path:
@@ -112,25 +109,20 @@ def _check_pairs(folder: Path, images: list[Path]) -> None:
     refuse(alone, _ADVICE)
 
 
-def _read_object(file: Path) -> dict[str, Any]:
+def _read_json(file: Path) -> object:
     try:
-        content = json.loads(read_text(file))
+        return json.loads(read_text(file))
     except (ValueError, RecursionError) as error:
         raise DataError(f"it is not JSON: {one_line(error)}") from None
-    if not isinstance(content, dict):
-        raise DataError("it is not a JSON object")
-    return content
 
 
 def _read_fix(file: Path) -> tuple[float, float, float]:
     """Return latitude, longitude and compass in degrees; the compass is NaN where there is none."""
-    content = _read_object(file)
-    compass = content.get("ca")
-    return (
-        _number(content, "lat"),
-        _number(content, "lon"),
-        math.nan if compass is None else _number(content, "ca"),
-    )
+    content = _read_json(file)
+    if not isinstance(content, dict):
+        raise DataError("it is not a JSON object")
+    compass = math.nan if content.get("ca") is None else _number(content, "ca")
+    return _number(content, "lat"), _number(content, "lon"), compass
 
 
 def _number(content: dict[str, Any], name: str) -> float:

@@ -130,7 +130,8 @@ def _check(
         named = f"the zone {number}{letter}"
         signed = north if is_northern(letter) else -north
         half = "north" if is_northern(letter) else "south"
-        away = np.abs((east - _central(number) + 180) % 360 - 180)
+        with np.errstate(invalid="ignore"):  # infinity, which is refused above
+            away = np.abs((east - _central(number) + 180) % 360 - 180)
         checks += [
             (signed < -_AROUND_EQUATOR, f"is not in {named}, {half} of the equator: the latitude's sign looks wrong"),
             (away > _FARTHEST, f"is more than {_FARTHEST:g} degrees of longitude from the middle of {named}"),

@@ -8,7 +8,9 @@ _METRES = (("x", "y"), ("easting", "northing"), ("utm_east", "utm_north"))
 _DEGREES = (("lat", "lon"), ("latitude", "longitude"))
 _TRAVERSE = ("traverse", "split", "role", "set")
 _COMPASS = ("heading", "compass", "ca")
-NEEDED = "a column image (or file, filename, path), and columns x and y, easting and northing, or lat and lon"
+NEEDED = (
+    "a column image (or file, filename, path), and columns x and y, easting and northing, or lat and lon, each once"
+)
 """What a header must have, for a person."""
 
 
@@ -67,5 +69,7 @@ def _columns(names: list[str]) -> Columns | None:
     traverse, compass = (
         next((names.index(name) for name in known if name in names), None) for known in (_TRAVERSE, _COMPASS)
     )
+    if any(names.count(name) > 1 for name in (image, *pair)):
+        return None
     position = names.index(pair[0]), names.index(pair[1])
     return Columns(len(names), names.index(image), position, pair in _DEGREES, traverse, compass)

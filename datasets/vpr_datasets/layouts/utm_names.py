@@ -106,7 +106,11 @@ def load(folder: Path, card: TraverseCard, zone: str = "") -> Recording:
 def recognise(folder: Path) -> Recognised | None:
     """Look for folders of images with such names; ``database`` and ``queries`` may lie in ``images/test``."""
     usual = [folder / place for place in _USUAL]
-    roots = [root for root in usual if (root / "database").is_dir() and (root / "queries").is_dir()]
+    roots = [
+        root
+        for root in usual
+        if (root / "queries").is_dir() and any((root / name).is_dir() for name in ("database", "gallery"))
+    ]
     root = next(iter(roots), folder)
     found = [one for one in folders_in(root) if _is_named(first_image(one))]
     if len(found) < 2:

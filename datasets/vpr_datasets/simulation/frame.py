@@ -3,6 +3,7 @@
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_datasets.simulation.air import snowfall, veil
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.raster import Buffers, draw_sky, draw_slab, draw_walls
 from vpr_datasets.simulation.scene import Scene, build_scene
@@ -50,6 +51,10 @@ def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint
         draw_slab(buffers, view, slab, setting.slab_reach)
     draw_sky(buffers, view, scene.sky, RISE)
     light = illuminate(buffers, view, scene.grid, traverse.light)
+    if traverse.haze is not None:
+        light = veil(light, buffers, traverse.haze)
+    if traverse.snowfall:
+        light = snowfall(light, Dice(spec.seed, traverse.seed, traverse.name, "snowfall", index), traverse.snowfall)
     return develop(light, traverse, dice)
 
 

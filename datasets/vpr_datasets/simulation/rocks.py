@@ -8,7 +8,7 @@ from vpr_datasets.simulation.materials import blocks, tinted, toned
 from vpr_datasets.simulation.noise import value_noise
 from vpr_datasets.simulation.plants import EVERGREEN
 from vpr_datasets.simulation.stage import Stage
-from vpr_datasets.simulation.texture import SURFACE, Canvas, Colour
+from vpr_datasets.simulation.texture import Canvas, Colour
 
 ROCK: tuple[Colour, ...] = ((126, 122, 118), (112, 106, 100), (138, 128, 116), (104, 106, 110))
 SNOW: Colour = (232, 236, 244)

@@ -23,6 +23,10 @@ class TraverseSpec(BaseModel):
         ``night`` (lamps and lit windows only, recorded in grey with a high gain).
     season
         Decides the colours of leaves and grass; trees are bare in winter.
+    haze
+        Distance in metres at which fog takes half of the light, by day; clear when left out.
+    snowfall
+        Density of falling snow; 1 is heavy.
     sun
         Metres to the east and to the north by which a shadow shifts for every metre of height, by day; where the
         sun stands changes in the course of a day. By default it stands about 47 degrees high in the north-west.
@@ -55,6 +59,8 @@ class TraverseSpec(BaseModel):
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]*$")]
     light: Light = "day"
     season: Season = "summer"
+    haze: Annotated[float, Field(ge=5, le=10000, allow_inf_nan=False)] | None = None
+    snowfall: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 0.0
     sun: tuple[Shift, Shift] | None = None
     lateral: Annotated[float, Field(ge=-8, le=8, allow_inf_nan=False)] = 0.0
     eye_height: Annotated[float, Field(ge=0.5, le=4.5, allow_inf_nan=False)] = 1.6
@@ -106,7 +112,7 @@ class SimulationSpec(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     seed: Annotated[int, Field(ge=0)]
-    scene: Literal["campus", "railway"] = "campus"
+    scene: Literal["campus", "railway", "suburb"] = "campus"
     frames: Annotated[int, Field(ge=1, le=1000)] = 200
     width: Annotated[int, Field(ge=64, le=1920)] = 640
     height: Annotated[int, Field(ge=36, le=1080)] = 360

@@ -4,6 +4,7 @@ import pytest
 
 from vpr_bench.dataset.acquire import fetch_images, verify_images
 from vpr_bench.dataset.card import Download
+from vpr_bench.dataset.known import known_digest
 from vpr_bench.errors import DataError, VprBenchError
 
 
@@ -35,6 +36,41 @@ def test_an_archive_without_a_digest_is_vouched_for_by_its_images(
 ):
     page = server.add("/tiny.tar.gz", make_tar(files(tiny_images), "w:gz"))
     assert fetch_images(from_page(tiny_card, page)) == data_folder / "tiny"
+
+
+def test_an_archive_in_the_archive_is_unpacked_in_its_place(tiny_card, tiny_images, data_folder, server, make_zip):
+    page = server.add("/data.zip", make_zip({"v1/Tiny-v1.0.zip": make_zip(files(tiny_images)), "v1/notes.md": b"x"}))
+    card = tiny_card.model_copy(update={"download": Download(url=page.url, inner="Tiny-v1.0.zip")})
+    assert fetch_images(card) == data_folder / "tiny" / "v1" / "Tiny-v1.0"
+    assert sorted(path.name for path in (data_folder / "tiny" / "v1").iterdir()) == ["Tiny-v1.0", "notes.md"]
+
+
+@pytest.mark.parametrize("content", [{"other.zip": b"x"}, {"a/Tiny.zip": b"x", "b/Tiny.zip": b"x"}])
+def test_an_archive_that_should_hold_another_and_does_not_is_refused(tiny_card, data_folder, server, make_zip, content):
+    page = server.add("/data.zip", make_zip(content))
+    with pytest.raises(DataError, match="should hold one Tiny.zip: found"):
+        fetch_images(tiny_card.model_copy(update={"download": Download(url=page.url, inner="Tiny.zip")}))
+    assert left_in(data_folder) == []
+
+
+def test_an_archive_in_the_archive_is_as_hostile_as_any(tiny_card, data_folder, server, make_zip):
+    page = server.add("/data.zip", make_zip({"Tiny.zip": make_zip({"../../evil.txt": b"x"})}))
+    with pytest.raises(DataError, match="evil"):
+        fetch_images(tiny_card.model_copy(update={"download": Download(url=page.url, inner="Tiny.zip")}))
+    assert left_in(data_folder) == [] and not list(data_folder.parent.rglob("evil.txt"))
+
+
+def test_an_archive_without_a_digest_is_known_from_its_first_contact_on(
+    tiny_card, tiny_images, data_folder, server, make_zip
+):
+    page = server.add("/tiny.zip", make_zip(files(tiny_images)))
+    folder = fetch_images(from_page(tiny_card, page))
+    assert known_digest(page.url) == page.sha256
+    shutil.rmtree(folder)
+    server.add("/tiny.zip", make_zip({**files(tiny_images), "surprise.txt": b"another archive"}))
+    with pytest.raises(DataError, match="expected sha256"):
+        fetch_images(from_page(tiny_card, page))
+    assert not folder.exists()
 
 
 def wrong_file(content):

@@ -4,7 +4,7 @@ from typing import Protocol
 
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.path import Course
-from vpr_datasets.simulation.scenes import campus, railway
+from vpr_datasets.simulation.scenes import campus, railway, suburb
 from vpr_datasets.simulation.setting import Setting
 from vpr_datasets.simulation.spec import Season, TraverseSpec
 from vpr_datasets.simulation.stage import Mover, Stage
@@ -28,5 +28,5 @@ class Landscape(Protocol):
         ...
 
 
-SCENES: dict[str, Landscape] = {"campus": campus, "railway": railway}
+SCENES: dict[str, Landscape] = {"campus": campus, "railway": railway, "suburb": suburb}
 """By the name that a specification gives its scene."""

@@ -1,6 +1,7 @@
 """A railway in the north: a single track through woods, farms and cuttings, past lakes and through tunnels."""
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.countryside import Country, fill, grow
@@ -88,7 +89,7 @@ def _deal_side(dice: Dice, line: list[Piece], length: float) -> list[Piece]:
     pieces: list[Piece] = []
     deck: list[str] = []
     gaps = [(-30.0, line[0].start)]
-    gaps += [(one.stop, other.start) for one, other in zip(line, line[1:], strict=False)]
+    gaps += [(one.stop, other.start) for one, other in pairwise(line)]
     for start, stop in [*gaps, (line[-1].stop, length + 250)]:
         s = start
         while s < stop - 1:
@@ -97,17 +98,15 @@ def _deal_side(dice: Dice, line: list[Piece], length: float) -> list[Piece]:
             extent = stop - s if stop - s - extent < 25 else extent
             pieces.append(Piece(deck.pop(), s, s + extent))
             s += extent
-    for piece in line:
-        if piece.kind == "station":
-            # Opposite the platform, and behind the station's house.
-            pieces.append(Piece("yard", piece.start, piece.stop))
+    # Opposite a platform, and behind a station's house.
+    pieces.extend(Piece("yard", piece.start, piece.stop) for piece in line if piece.kind == "station")
     return pieces
 
 
 GROUNDS = {
-    "wood": "woodland", "birches": "woodland", "meadow": "meadow", "farm": "field", "lake": "water", "heath": "woodland",
-    "village": "grass", "cutting": "rubble", "approach": "rubble", "tunnel": "rubble", "bridge": "water",
-    "station": "gravel", "yard": "gravel", "heights": "rubble",
+    "wood": "woodland", "birches": "woodland", "meadow": "meadow", "farm": "field", "lake": "water",
+    "heath": "woodland", "village": "grass", "cutting": "rubble", "approach": "rubble", "tunnel": "rubble",
+    "bridge": "water", "station": "gravel", "yard": "gravel", "heights": "rubble",
 }  # fmt: skip
 
 
@@ -115,7 +114,7 @@ def _lay_floors(stage: Stage, line: list[Piece], sides: dict[int, list[Piece]]) 
     """Lay the track, and on both sides what the land there is like."""
     left, right = ([*line, *sides[side]] for side in (1, -1))
     marks = sorted({mark for piece in [*left, *right] for mark in (piece.start, piece.stop)})
-    for start, stop in zip(marks, marks[1:], strict=False):
+    for start, stop in pairwise(marks):
         middle = (start + stop) / 2
         kinds = [
             next((one.kind for one in pieces if one.start <= middle < one.stop), "wood") for pieces in (left, right)
