@@ -145,9 +145,10 @@ def _show(facts: dict[str, Any]) -> None:
     show(_table(["protocol", "queries with a match", "matches per query"], rows))
     for layout, found in facts["other_layouts"].items():
         show(Text(f"It could also be read with --layout {layout}: {found}"))
-    show(Text.assemble(("card     ", "bold"), facts["card"], "  edit radius and protocols here"))
-    show(Text.assemble(("preview  ", "bold"), facts["preview"], "  look whether the matches are right"))
-    show(Text.assemble(("next     ", "bold"), facts["next"]))
+    # As it is, so that paths and the command can be copied from a narrow window too.
+    write(f"card     {facts['card']}  (edit the radius and the protocols here)")
+    write(f"preview  {facts['preview']}  (look whether the matches are right)")
+    write(f"next     {facts['next']}")
 
 
 def _table(titles: list[str], rows: list[list[Any]]) -> "Table":

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import os
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -45,11 +46,12 @@ def case_digest(parts: Iterable[tuple[Recording, str]], given: GroundTruth | Non
     total = hashlib.sha256()
     for recording, digest in parts:
         traverse, labels = recording.traverse, recording.labels
-        names = [source.name if isinstance(source, Path) else str(source.shape) for source in traverse.sources]
+        names = _names(traverse)
         convert = getattr(traverse.convert, "__qualname__", repr(traverse.convert))
         total.update(json.dumps([digest, names, convert, None if labels is None else labels.shape]).encode())
-        if labels is not None:
-            total.update(np.ascontiguousarray(labels, dtype="<f8").tobytes())
+        for column in (labels, recording.compass):
+            if column is not None:
+                total.update(np.ascontiguousarray(column, dtype="<f8").tobytes())
     for name, array in Places(given=given).arrays().items():
         total.update(name.encode() + np.ascontiguousarray(array, dtype="<i8").tobytes())
     return f"sha256:{total.hexdigest()}"
@@ -59,9 +61,21 @@ def _file_digests(traverse: Traverse, cache: Path | None) -> list[tuple[str, str
     files = [source for source in traverse.sources if isinstance(source, Path)]
     digests = iter(sha256_of_files(files, cache))
     named = []
-    for index, source in enumerate(traverse.sources):
+    for index, (name, source) in enumerate(zip(_names(traverse), traverse.sources, strict=True)):
         if isinstance(source, np.ndarray):
             named.append((f"{index:09d}", hashlib.sha256(source.tobytes()).hexdigest()))
         else:
-            named.append((source.name, next(digests).removeprefix("sha256:")))
+            named.append((name, next(digests).removeprefix("sha256:")))
     return named
+
+
+def _names(traverse: Traverse) -> list[str]:
+    """Return what tells the images apart: paths from the innermost folder that holds them all, or sizes in memory."""
+    folders = {source.parent for source in traverse.sources if isinstance(source, Path)}
+    if len(folders) <= 1:
+        return [source.name if isinstance(source, Path) else str(source.shape) for source in traverse.sources]
+    common = os.path.commonpath(folders)
+    return [
+        source.relative_to(common).as_posix() if isinstance(source, Path) else str(source.shape)
+        for source in traverse.sources
+    ]

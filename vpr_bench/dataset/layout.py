@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from vpr_bench.dataset.recording import Recording
-from vpr_bench.errors import UsageError
+from vpr_bench.errors import DataError, UsageError, blaming
 from vpr_bench.registry import Registry
 from vpr_bench.types.ground_truth import GroundTruth
 
@@ -93,9 +93,35 @@ def find_layout(name: str) -> Layout:
     return as_layout(LAYOUTS.entry(name).load())
 
 
-def recognise(folder: Path) -> list[tuple[str, Recognised]]:
-    """Return what the layouts say about a folder, by the name of the layout, the most specific one first."""
-    layouts = LAYOUTS.load_all(as_layout)
-    ordered = sorted(layouts.items(), key=lambda item: (-item[1].rank, item[0]))
-    said = [(name, layout.recognise(folder)) for name, layout in ordered if layout.recognise is not None]
-    return [(name, recognised) for name, recognised in said if recognised is not None]
+def recognise(folder: Path, only: str | None = None) -> list[tuple[str, Recognised]]:
+    """Return what the layouts say about a folder, by the name of the layout, the most specific one first.
+
+    Parameters
+    ----------
+    folder : Path
+        Holds the images.
+    only : str, optional
+        Ask this layout alone.
+
+    Raises
+    ------
+    UsageError
+        If there is no such layout.
+    DataError
+        If the folder is of a layout and broken, and no more specific layout recognises it.
+    """
+    layouts = LAYOUTS.load_all(as_layout) if only is None else {only: find_layout(only)}
+    said: list[tuple[str, Recognised]] = []
+    for name, layout in sorted(layouts.items(), key=lambda item: (-item[1].rank, item[0])):
+        if layout.recognise is None:
+            continue
+        try:
+            with blaming(f"The layout {name!r} failed on {folder}", DataError):
+                recognised = layout.recognise(folder)
+        except DataError:
+            if not said:
+                raise
+            continue
+        if recognised is not None:
+            said.append((name, recognised))
+    return said

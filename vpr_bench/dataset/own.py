@@ -4,9 +4,11 @@ import re
 from pathlib import Path
 from typing import Any
 
+from pydantic import ValidationError
+
 from vpr_bench.dataset.card import Card
 from vpr_bench.dataset.layout import LAYOUTS, Recognised, recognise
-from vpr_bench.errors import DataError, closest
+from vpr_bench.errors import DataError, closest, first_fault
 
 CARD_FILE = "vpr-bench.toml"
 """Name of the card beside one's own images."""
@@ -41,10 +43,7 @@ def recognised_card(folder: Path, layout: str | None = None) -> tuple[Recognised
     DataError
         If no layout recognises the folder, or not this one.
     """
-    said = recognise(folder)
-    if layout is not None:
-        LAYOUTS.entry(layout)
-        said = [one for one in said if one[0] == layout]
+    said = recognise(folder, layout)
     if not said:
         known = ", ".join(entry.name for entry in LAYOUTS.entries())
         raise DataError(
@@ -52,7 +51,13 @@ def recognised_card(folder: Path, layout: str | None = None) -> tuple[Recognised
             "with positions or in the same order: see docs/own_data.md, or describe it in a card, vpr-bench.toml."
         )
     name, recognised = said[0]
-    return recognised, Card.model_validate(describe(folder, name, recognised))
+    try:
+        return recognised, Card.model_validate(describe(folder, name, recognised))
+    except ValidationError as error:  # two folders whose names become one, for example
+        raise DataError(
+            f"{folder} looks like {name} ({recognised.found}), but makes no dataset: {first_fault(error)}. "
+            "Rename its folders, or describe it in a card, vpr-bench.toml."
+        ) from None
 
 
 def describe(folder: Path, layout: str, recognised: Recognised) -> dict[str, Any]:

@@ -10,6 +10,8 @@ from vpr_bench.dataset.load import Case
 
 Kind = Literal["match", "soft", "miss", "none"]
 
+_GOLDEN = (5**0.5 - 1) / 2
+
 MATCHES, SOFT = 3, 1
 """How many true and how many soft matches stand under a query at most."""
 
@@ -64,14 +66,14 @@ def choose_queries(has_match: NDArray[np.bool_], count: int, seed: int = 0) -> N
     Examples
     --------
     >>> choose_queries(np.arange(100) != 70, count=4).tolist()
-    [21, 54, 70, 88]
+    [16, 49, 70, 83]
     """
     count = min(count, len(has_match))
     matched, unmatched = np.flatnonzero(has_match), np.flatnonzero(~has_match)
     without = round(count * len(unmatched) / len(has_match))
     if count > 1:  # one of a rare kind is worth more than one more of the other
         without = min(max(without, min(len(unmatched), 1)), count - min(len(matched), 1))
-    offset = np.random.default_rng(seed).random()
+    offset = (0.5 + seed * _GOLDEN) % 1  # the middle of each stretch, then far from all that was shown before
     chosen = [_spaced(matched, count - without, offset), _spaced(unmatched, without, offset)]
     return np.sort(np.concatenate(chosen))
 

@@ -52,8 +52,8 @@ def draw_header(case: Case, columns: Sequence[Column], width: int) -> Image.Imag
 def _counts(case: Case) -> str:
     queries, references = (cut(name, 320, font(15)) for name in (case.protocol.queries, case.protocol.references))
     return (
-        f"{_number(len(case.queries), 'query', 'queries')} of {queries}, looked up in "
-        f"{_number(len(case.references), 'reference')} of {references}: {_place(case.protocol)}"
+        f"{_number(len(case.queries), 'query', 'queries')} ({queries}), looked up in "
+        f"{_number(len(case.references), 'reference')} ({references}): {_place(case.protocol)}"
     )
 
 

@@ -37,9 +37,9 @@ def walk_images(folder: Path) -> Iterator[Path]:
     return (file for file in _walk(folder) if _is_image(file))
 
 
-def first_image(folder: Path) -> Path | None:
-    """Return one image from a folder or those below it, None if there is none or it would take long to find."""
-    return next((file for file in islice(_walk(folder), _ENOUGH) if _is_image(file)), None)
+def some_images(folder: Path, count: int) -> list[Path]:
+    """Return the first images from a folder and those below it; fewer where it would take long to find more."""
+    return list(islice((file for file in islice(_walk(folder), _ENOUGH) if _is_image(file)), count))
 
 
 def _walk(folder: Path) -> Iterator[Path]:

@@ -1,8 +1,6 @@
 """Images that carry their position in their name: ``@UTM_east@UTM_north@….jpg``."""
 
-import math
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -14,54 +12,16 @@ from vpr_bench.errors import DataError
 from vpr_bench.types.traverse import Traverse
 from vpr_datasets.layouts.compasses import joint_compass
 from vpr_datasets.layouts.faults import check_count, refuse
-from vpr_datasets.layouts.looking import first_image, folders_in, walk_images
-from vpr_datasets.layouts.metres import is_northern
+from vpr_datasets.layouts.looking import folders_in, some_images, walk_images
 from vpr_datasets.layouts.positioned import Found, positioned
-from vpr_datasets.layouts.texts import parse_number
+from vpr_datasets.layouts.utm_name import parse_name
 
 _ADVICE = "Rename the images, or move them away."
 _USUAL = ("images/test", "test", "images/val", "val")
 """Where the folders ``database`` and ``queries`` lie in a dataset that is cut into train, val and test."""
 
-
-@dataclass(frozen=True)
-class Name:
-    """What a file's name says.
-
-    Attributes
-    ----------
-    east, north : float
-        Metres.
-    zone : str
-        Zone number and hemisphere, ``33N``; empty where the name has none.
-    heading : float
-        Degrees clockwise from north, NaN where the name has none.
-    """
-
-    east: float
-    north: float
-    zone: str = ""
-    heading: float = math.nan
-
-
-def parse_name(name: str) -> Name:
-    """Read a file's name. Only the first two fields must be filled.
-
-    Raises
-    ------
-    ValueError
-        If they are not there, or are no numbers.
-
-    Examples
-    --------
-    >>> parse_name("@0@00002.3@@@@@1@@@@@@@@.jpg")
-    Name(east=0.0, north=2.3, zone='', heading=nan)
-    """
-    before, *fields = name.split("@")[:-1] or [name]
-    if before or len(fields) < 2:
-        raise ValueError("the name is not @UTM_east@UTM_north@…")
-    fields += [""] * 9
-    return Name(parse_number(fields[0]), parse_number(fields[1]), _zone(fields[2], fields[3]), _heading(fields[8]))
+_LOOKS = 16
+"""Images of a folder whose names are looked at to recognise it."""
 
 
 def load(folder: Path, card: TraverseCard, zone: str = "") -> Recording:
@@ -112,29 +72,35 @@ def recognise(folder: Path) -> Recognised | None:
         if (root / "queries").is_dir() and any((root / name).is_dir() for name in ("database", "gallery"))
     ]
     root = next(iter(roots), folder)
-    found = [one for one in folders_in(root) if _is_named(first_image(one))]
+    found = [one for one in folders_in(root) if _are_named(some_images(one, _LOOKS))]
     if len(found) < 2:
         return None
-    traverses, zones = [], set()
+    traverses: list[Found] = []
+    zones: set[str] = set()
     for one in found:
         names = [image.name for image in walk_images(one)]
-        zones |= set(_zones(names))
+        zones |= _zones(names)
         traverses.append(Found(one.name, one.relative_to(folder).as_posix(), len(names)))
     zone = _common_zone(folder, zones)
     return positioned("positions in their names", traverses, {"zone": zone} if zone else None)
 
 
-def _zones(names: Iterable[str]) -> Iterable[str]:
-    for name in names:
-        if _is_named(Path(name)):
-            yield parse_name(name).zone
+def _are_named(images: Sequence[Path]) -> bool:
+    """Say whether at least half of some images have such names: strays are for loading to tell."""
+    named = [image for image in images if _is_named(image.name)]
+    return bool(named) and 2 * len(named) >= len(images)
 
 
-def _is_named(image: Path | None) -> bool:
+def _zones(names: Iterable[str]) -> set[str]:
+    return {parse_name(name).zone for name in names if _is_named(name)}
+
+
+def _is_named(name: str) -> bool:
     try:
-        return image is not None and bool(parse_name(image.name))
+        parse_name(name)
     except ValueError:
         return False
+    return True
 
 
 def _common_zone(folder: Path, zones: set[str]) -> str:
@@ -145,19 +111,6 @@ def _common_zone(folder: Path, zones: set[str]) -> str:
             "cannot be compared. Write all of them in one zone."
         )
     return next(iter(known), "")
-
-
-def _zone(number: str, letter: str) -> str:
-    """Write a zone so that two are equal if their metres can be compared; bands of latitude do not matter for that."""
-    hemisphere = ("N" if is_northern(letter.upper()) else "S") if len(letter) == 1 else letter
-    return f"{number.lstrip('0')}{hemisphere}"
-
-
-def _heading(text: str) -> float:
-    try:
-        return parse_number(text)
-    except ValueError:
-        return math.nan
 
 
 LAYOUT = Layout(

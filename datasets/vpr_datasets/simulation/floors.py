@@ -144,7 +144,7 @@ MATERIALS: dict[str, tuple[Colour, Callable[[Canvas, Dice], None]]] = {
     "woodland": (WOODLAND["summer"], _loose(34, 0.9)),
     "water": (WATER["summer"], _ripples),
     "rubble": ((126, 120, 112), _loose(40, 0.7)),
-    "road": ((104, 104, 106), _lanes),
+    "road": ((138, 137, 136), _lanes),
     "verge": (GRASS["summer"], _footpath),
 }
 """Colour and pattern of every material."""

@@ -8,7 +8,7 @@ from vpr_datasets.simulation.noise import value_noise
 from vpr_datasets.simulation.plants import roughen
 from vpr_datasets.simulation.texture import SURFACE, Canvas, Colour
 
-LEAVES: tuple[Colour, ...] = ((112, 128, 84), (96, 118, 74), (126, 138, 98), (86, 108, 70))
+LEAVES: tuple[Colour, ...] = ((138, 154, 104), (120, 142, 94), (150, 162, 118), (110, 132, 88))
 BARK: tuple[Colour, ...] = ((206, 198, 184), (186, 172, 154), (148, 128, 110), (220, 214, 204))
 
 

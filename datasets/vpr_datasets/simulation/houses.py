@@ -60,7 +60,7 @@ def put_house(stage: Stage, dice: Dice, house: House) -> None:
     for first, second in ends:
         stage.wall(first, second, house.eaves, high, outer)
         stage.wall(second, first, house.eaves, high, inner)
-    stage.shade(house.s, house.t, house.length - 0.8, house.width - 0.8, 0, house.eaves + house.rise * 0.6)
+    stage.shade(house.s, house.t, house.length - 1.6, house.width - 1.6, 0, house.eaves + house.rise * 0.6)
     if not house.barn and dice.chance(0.7):
         _put_chimney(stage, dice, house, high)
 

@@ -116,6 +116,7 @@ def develop(light: NDArray[np.uint16], traverse: TraverseSpec, dice: Dice) -> ND
     metered = light[::4, ::4]
     mean = int(metered.sum(dtype=np.int64)) // metered.size >> 8
     gain = min(max(exposure.target * 256 // max(mean, 1), exposure.least), exposure.most)
+    gain = int(gain * traverse.exposure)
     answer = _CURVE[np.minimum(np.arange(65536, dtype=np.int64) * gain >> 16, 255)]
     picture = answer.take(light)
     if exposure.glow:

@@ -23,6 +23,8 @@ class TraverseSpec(BaseModel):
         ``night`` (lamps and lit windows only, recorded in grey with a high gain).
     season
         Decides the colours of leaves and grass; trees are bare in winter.
+    exposure
+        How much brighter than usual under this light the camera is set to record.
     haze
         Distance in metres at which fog takes half of the light, by day; clear when left out.
     snowfall
@@ -59,6 +61,7 @@ class TraverseSpec(BaseModel):
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]*$")]
     light: Light = "day"
     season: Season = "summer"
+    exposure: Annotated[float, Field(ge=0.3, le=3, allow_inf_nan=False)] = 1.0
     haze: Annotated[float, Field(ge=5, le=10000, allow_inf_nan=False)] | None = None
     snowfall: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 0.0
     sun: tuple[Shift, Shift] | None = None

@@ -90,7 +90,7 @@ def put_lot(stage: Stage, dice: Dice, flora: Flora, side: int, s: float, extent:
 def _pave(stage: Stage, dice: Dice, side: int, s: float, end: float) -> None:
     """Lead a driveway from the road to a garage or a carport, and put a letterbox and a bin beside it."""
     colour = tinted(dice, dice.pick(((176, 172, 164), (150, 148, 146), (168, 122, 100))), 10)
-    start = 4.0
+    start = 4.8
     canvas = Canvas(3.0, end - start, 16.0, colour)
     canvas.speckle(dice, 20, 0.8)
     canvas.speckle(dice, 14)
@@ -111,7 +111,7 @@ def _pave(stage: Stage, dice: Dice, side: int, s: float, end: float) -> None:
     if dice.chance(0.6):
         colour = dice.pick(((40, 84, 60), (60, 60, 64), (44, 64, 104)))
         texture, lid = props.bin_side(dice, colour).bake(), plain(dice.pick(((196, 60, 50), (222, 190, 60))), dice)
-        stage.box(s - 2.1, side * 4.9, 0.6, 0.7, 1.05, texture, texture, lid)
+        stage.box(s - 2.1, side * 5.4, 0.6, 0.7, 1.05, texture, texture, lid)
 
 
 def _enclose(stage: Stage, dice: Dice, flora: Flora, side: int, s: float, extent: float, drive: float) -> None:
@@ -155,13 +155,13 @@ def string_poles(stage: Stage, dice: Dice, length: float, beyond: float) -> None
     side, s = dice.pick((1, -1)), -24.0
     while s < length + beyond - 30:
         gap = dice.between(34, 44)
-        t = side * 5.2
+        t = side * 5.75
         stage.wall((s, t + 2.1), (s, t - 2.1), 0, 9.2, dice.pick(poles), "both")
         stage.shade(s, t, 0.5, 0.5, 0, 9.0)
         stage.lamp(s, t, 6.6, 1.0)
         for across in (-1.0, -0.4, 0.4, 1.0):
-            stage.slab(s, t + across, gap, 0.04, 8.45, wire)
-        stage.slab(s, t, gap, 0.06, 6.9, wire)
+            stage.slab(s, t + across, gap, 0.055, 8.45, wire)
+        stage.slab(s, t, gap, 0.08, 6.9, wire)
         s += gap
         if dice.chance(0.12):
             side = -side

@@ -48,7 +48,7 @@ def test_an_archive_in_the_archive_is_unpacked_in_its_place(tiny_card, tiny_imag
 @pytest.mark.parametrize("content", [{"other.zip": b"x"}, {"a/Tiny.zip": b"x", "b/Tiny.zip": b"x"}])
 def test_an_archive_that_should_hold_another_and_does_not_is_refused(tiny_card, data_folder, server, make_zip, content):
     page = server.add("/data.zip", make_zip(content))
-    with pytest.raises(DataError, match="should hold one Tiny.zip: found"):
+    with pytest.raises(DataError, match="should hold one Tiny"):
         fetch_images(tiny_card.model_copy(update={"download": Download(url=page.url, inner="Tiny.zip")}))
     assert left_in(data_folder) == []
 

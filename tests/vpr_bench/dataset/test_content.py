@@ -69,3 +69,14 @@ def test_the_digest_of_a_case_depends_on_traverses_and_labels():
     }
     assert len(changed) == 8
     assert digest(labels=np.arange(6.0)[::2] / 2) == digest(labels=np.arange(3, dtype=">f8")) == digest()
+
+
+def test_images_that_change_places_between_folders_are_noticed(tmp_path):
+    files = [tmp_path / folder / "1.jpg" for folder in "ab"]
+    for file in files:
+        file.parent.mkdir()
+        file.write_text(file.parent.name)
+    before = traverse_digest(Traverse("walk", files), afresh=True)
+    files[0].write_text("b")
+    files[1].write_text("a")
+    assert traverse_digest(Traverse("walk", files), afresh=True) != before

@@ -40,7 +40,9 @@ def header(latitude=52.5, longitude=13.3, direction=None, taken=None, fraction=N
     if fraction is not None:
         details[0x9291] = fraction
     exif = Image.Exif()
-    exif[0x8825], exif[0x8769] = gps, details
+    for tag, fields in ((0x8825, gps), (0x8769, details)):
+        exif.get_ifd(tag).update(fields)
+        exif[tag] = fields
     return exif
 
 

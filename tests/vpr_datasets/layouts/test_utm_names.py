@@ -9,7 +9,8 @@ from vpr_bench.dataset.card import TraverseCard
 from vpr_bench.dataset.load import DatasetWarning
 from vpr_bench.dataset.own import recognised_card
 from vpr_bench.errors import DataError
-from vpr_datasets.layouts.utm_names import Name, load, parse_name, recognise
+from vpr_datasets.layouts.utm_name import Name, parse_name
+from vpr_datasets.layouts.utm_names import load, recognise
 
 CARD = TraverseCard(name="database")
 FULL = "@0500987.81@6959290.81@56@J@-27.50000@0153.01000@p{}@00@090@@@@20100909_084500@@.jpg"
@@ -93,7 +94,7 @@ def test_a_heading_that_some_lack_is_left_out_with_a_warning(tmp_path, heading):
 
 def test_a_name_without_a_position_is_told(tmp_path):
     write(tmp_path, "@1@1@.jpg", "a/map.png", "b/@x@1@.jpg", ".thumbs/t.jpg", "._@1@1@.jpg", "notes.txt")
-    assert "a/map.png: the name is not @UTM_east@UTM_north@… (and 1 more with faults)" in refused(tmp_path)
+    assert "a/map.png: the name is not like @UTM_east@UTM_north@.jpg (and 1 more with faults)" in refused(tmp_path)
 
 
 def test_two_zones_cannot_be_compared(tmp_path):
@@ -146,6 +147,14 @@ def test_a_dataset_in_two_zones_is_told_where_it_is_recognised(tmp_path):
     write(tmp_path / "queries", "@1@1@18@T@@.jpg")
     with pytest.raises(DataError, match="17N and 18N"):
         recognise(tmp_path)
+
+
+def test_a_stray_image_does_not_hide_the_others(tmp_path):
+    for side in ("database", "queries"):
+        write(tmp_path / side, "map.png", "a/@1@1@.jpg", "a/@1@2@.jpg")
+    traverse = recognise(tmp_path).traverses[0]
+    with pytest.raises(DataError, match=r"map\.png: the name is not"):
+        load(tmp_path / traverse["folder"], TraverseCard(**traverse))
 
 
 def test_the_zone_is_remembered(tmp_path):

@@ -9,7 +9,6 @@ import numpy as np
 from vpr_bench.dataset.folders import cache_root
 from vpr_bench.dataset.lint.finding import Finding, counted, listed
 from vpr_bench.dataset.load import Case
-from vpr_bench.errors import DataError
 from vpr_bench.files.digest_cache import sha256_of_files
 from vpr_bench.types.traverse import Traverse
 

@@ -1,9 +1,11 @@
 """A suburb seen from a car: a road between verges, gardens and detached houses, with side streets and a park."""
 
+from dataclasses import replace
+
 from vpr_datasets.simulation import props
 from vpr_datasets.simulation.chance import Dice
-from vpr_datasets.simulation.facades import ACCENTS
-from vpr_datasets.simulation.lots import plain, put_building, wall_across, wall_along
+from vpr_datasets.simulation.facades import ACCENTS, STOREY, draw_style, paint_street, paint_upper
+from vpr_datasets.simulation.lots import plain, wall_across, wall_along
 from vpr_datasets.simulation.materials import toned
 from vpr_datasets.simulation.path import Course
 from vpr_datasets.simulation.setting import Setting
@@ -22,7 +24,7 @@ DECK = ("lot", "lot", "lot", "lot", "lot", "lot", "lot", "corner", "lot", "lot",
 EXTENTS = {"lot": (14.0, 19.0), "corner": (10.0, 12.0), "park": (26.0, 44.0), "shops": (16.0, 24.0)}
 """Shortest and longest of each kind, in metres along the road."""
 
-HALF = 3.9
+HALF = 4.7
 """Half the width of the road in metres."""
 
 PAINTS: tuple[Colour, ...] = (*ACCENTS, (226, 226, 224), (200, 202, 204), (150, 152, 156), (60, 62, 66), (120, 24, 30))
@@ -54,7 +56,7 @@ def _line_side(stage: Stage, dice: Dice, flora: Flora, side: int, length: float)
         elif kind == "park":
             _plant_park(stage, dice, flora, side, s, extent)
         else:
-            put_building(stage, dice, side, s + 1, extent - 2)
+            _put_shops(stage, dice, side, s + 1, extent - 2)
         if kind != "corner":
             back = 34.0 + dice.between(-2, 2)
             wall_along(stage, side, s - 1, s + extent + 1, back, 0, dice.between(7, 12), dice.pick(flora.canopies))
@@ -63,7 +65,7 @@ def _line_side(stage: Stage, dice: Dice, flora: Flora, side: int, length: float)
 
 def _open_street(stage: Stage, dice: Dice, flora: Flora, side: int, s: float, extent: float) -> None:
     """Let a side street join, with trees at its far end."""
-    paving = Canvas(extent - 2.0, 60.0, 8.0, (104, 104, 106))
+    paving = Canvas(extent - 2.0, 60.0, 8.0, (138, 137, 136))
     paving.speckle(dice, 24, 2.0)
     paving.speckle(dice, 18)
     for number in range(8):
@@ -90,6 +92,24 @@ def _open_street(stage: Stage, dice: Dice, flora: Flora, side: int, s: float, ex
     stage.wall((s + 0.6, side * (HALF + 1.3) + 1.2), (s + 0.6, side * (HALF + 1.3) - 1.2), 0, 3.0, name.bake(), "both")
 
 
+def _put_shops(stage: Stage, dice: Dice, side: int, s: float, extent: float) -> None:
+    """Put up a row of shops under an awning, at most two storeys high, behind a strip of paving."""
+    style = replace(draw_style(dice), storeys=dice.pick((1, 2)))
+    t, deep, high = dice.between(8.5, 12.0), 12.0, style.storeys * STOREY + 0.9
+    wall_along(stage, side, s, s + extent, t, 0, STOREY, paint_street(dice, style, extent).bake())
+    wall_along(stage, side, s, s + extent, t, STOREY, high, paint_upper(dice, style, extent).bake())
+    wall_across(stage, s, t, deep, 0, STOREY, paint_street(dice, style, deep).bake(206), side)
+    wall_across(stage, s, t, deep, STOREY, high, paint_upper(dice, style, deep).bake(206), side)
+    stage.shade(s + extent / 2, side * (t + deep / 2), extent - 1.5, deep - 1.5, 0, high)
+    paving = Canvas(extent, t - 7.4, 12.0, (170, 166, 158))
+    paving.speckle(dice, 22, 1.0)
+    stage.slab(s, 7.4 if side > 0 else -t, extent, t - 7.4, 0.014, paving.bake())
+    rim = plain(toned(style.accent, 250), dice, 3.0)
+    wall_along(stage, side, s, s + extent, t - 2.0, 2.9, 3.3, rim)
+    wall_across(stage, s, t - 2.0, 2.0, 2.9, 3.3, rim, side)
+    stage.slab(s, t - 2.0 if side > 0 else -t, extent, 2.0, 2.9, plain(toned(style.accent, 170), dice, 3.0), roof=True)
+
+
 def _plant_park(stage: Stage, dice: Dice, flora: Flora, side: int, s: float, extent: float) -> None:
     """Leave a lawn with scattered trees and a bench."""
     for _ in range(int(extent * 0.35)):
@@ -110,7 +130,7 @@ def _set_signs(stage: Stage, dice: Dice, flora: Flora, length: float) -> None:
     while s < length + 100:
         s += dice.between(9, 24)
         side = dice.pick((1, -1))
-        t = side * dice.between(4.7, 5.6)
+        t = side * dice.between(5.6, 6.0)
         kind = dice.below(5)
         if kind <= 1:
             stage.cutout(s, t, 1.2, dice.between(2.2, 2.8), props.sign_post(dice).bake())
