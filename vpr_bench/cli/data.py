@@ -58,9 +58,9 @@ def verify(
     source = _real(dataset)
     folder = folder or source.folder
     with progress_bars():
-        if accept:
+        if accept and source.foreign:
             accept_images(source.card, folder, source.name)
-        faults = verify_images(source.card, folder, source.name)
+        faults = verify_images(source.card, folder, source.name if source.foreign else None)
     for fault in faults:
         complain(str(fault))
     if faults:

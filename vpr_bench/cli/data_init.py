@@ -46,9 +46,8 @@ def init(
     A picture, vpr-bench-preview.png, shows queries with their true matches: look whether they are right.
     """
     from vpr_bench.dataset.content import traverse_digest
-    from vpr_bench.dataset.describe_own import describe_own
+    from vpr_bench.dataset.describe_own import CARD_FILE, describe_own
     from vpr_bench.dataset.load import load_from, load_traverse
-    from vpr_bench.dataset.own import CARD_FILE
     from vpr_bench.files.atomic import write_bytes
     from vpr_bench.report.contact_sheet import draw_contact_sheet
 

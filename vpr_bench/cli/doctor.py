@@ -50,7 +50,7 @@ def _images() -> list[tuple[str, object]]:
     for name, card in DATASETS.load_all(as_card).items():
         try:
             folder = find_images(card)
-            faults = verify_images(card, folder) if folder else []
+            faults = verify_images(card, folder, card.id) if folder else []
             states.append(
                 (f"images of {name}", faults[0] if faults else folder or "not on disk: simulated ones are used")
             )

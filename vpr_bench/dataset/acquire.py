@@ -27,7 +27,7 @@ def fetch_images(card: Card) -> Path:
     """
     found = find_images(card)
     if found is not None:
-        for fault in verify_images(card, found):
+        for fault in verify_images(card, found, card.id):
             raise type(fault)(f"What is there of {card.id} is not it: {fault}\n{_AWAY}")
         return found
     if card.download is None:
@@ -42,7 +42,7 @@ def fetch_images(card: Card) -> Path:
         traverses = search(folder, card)
         if traverses is None:
             raise DataError(f"The archive holds none of the traverse folders of {card.id}.")
-        for fault in verify_images(card, traverses):
+        for fault in verify_images(card, traverses, card.id):
             raise DataError(f"The archive is not {card.id} as the card knows it: {fault}")
 
     folder = data_root() / card.id
@@ -78,7 +78,7 @@ def accept_images(card: Card, folder: Path, source: str) -> None:
             remember_digest(f"{source}/{one.name}", digest, folder / one.path)
 
 
-def verify_images(card: Card, folder: Path, source: str | None = None) -> list[VprBenchError]:
+def verify_images(card: Card, folder: Path, source: str | None) -> list[VprBenchError]:
     """Check every traverse: complete, every image decodes, and the digest is the card's or that of first contact.
 
     Parameters
@@ -88,7 +88,7 @@ def verify_images(card: Card, folder: Path, source: str | None = None) -> list[V
     folder : Path
         Holds the traverses.
     source : str, optional
-        Dataset with its edition; by default the real one.
+        Dataset with its edition; None for the user's own images, of which no record is kept.
 
     Returns
     -------
@@ -101,7 +101,7 @@ def verify_images(card: Card, folder: Path, source: str | None = None) -> list[V
         try:
             traverse = load_traverse(card, one, folder).traverse
             digest = traverse_digest(traverse, afresh=True)
-            expected, whose = vouched_digest(one, source or card.id)
+            expected, whose = vouched_digest(one, source)
             if expected == digest:
                 continue
             for index in track(range(len(traverse)), f"Decoding {one.name}"):

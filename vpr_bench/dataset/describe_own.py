@@ -13,8 +13,10 @@ from pydantic import ValidationError
 from vpr_bench.dataset.advice import unrecognised
 from vpr_bench.dataset.card import DATASETS, Card
 from vpr_bench.dataset.layout import Recognised, find_layout, recognise
-from vpr_bench.dataset.own import CARD_FILE, describe, slug
 from vpr_bench.errors import DataError, UsageError, VprBenchError, blaming, first_fault, one_line
+
+CARD_FILE = "vpr-bench.toml"
+"""Name of the card beside one's own images."""
 
 _HEADER = """\
 # What vpr-bench knows about the images beside this file. Edit it freely, then look at the outcome with
@@ -105,7 +107,7 @@ def describe_own(
     """
     said = _recognised(folder, layout)
     name = layout or next(iter(said))
-    content = describe(folder, name, said[name])
+    content = _content(folder, name, said[name])
     content |= {key: one_line(value) for key, value in stated.items() if value}
     content |= {"name": one_line(content["name"]) or "own data", "id": _free_id(dataset_id, content["id"])}
     if radius is not None:
@@ -120,21 +122,43 @@ def describe_own(
 
 def _recognised(folder: Path, layout: str | None) -> dict[str, Recognised]:
     """Return what the layouts say about a folder, of which one is asked for; all others may fail then."""
-    if layout is None:
-        with blaming(f"{folder} cannot be looked at", DataError):
-            said = dict(recognise(folder))
-    else:
-        look = find_layout(layout).recognise
-        if look is None:
+    said = dict(recognise(folder, layout))
+    if layout is not None:
+        if find_layout(layout).recognise is None:
             raise UsageError(f"The layout {layout!r} recognises no folders: it needs a card, see docs/own_data.md.")
-        with blaming(f"The layout {layout!r} failed on {folder}", DataError):
-            asked = look(folder)
-        said = {} if asked is None else {layout: asked}
-        with suppress(VprBenchError), blaming("Other layouts"):
+        with suppress(VprBenchError):
             said = dict(recognise(folder)) | said
     if layout not in (None, *said) or not said:
         raise DataError(unrecognised(folder, layout, list(said)))
     return said
+
+
+def _content(folder: Path, layout: str, recognised: Recognised) -> dict[str, Any]:
+    """Return the content of a card for a folder that was recognised."""
+    content: dict[str, Any] = {
+        "id": slug(folder.name, "-") or "own",
+        "name": folder.name or "own data",
+        "summary": recognised.found,
+        "citation": "not stated",
+        "licence": "not stated",
+        "homepage": "not stated",
+        "unit": recognised.unit,
+        "loader": {"layout": layout, "options": recognised.options},
+        "traverses": recognised.traverses,
+        "protocols": recognised.protocols,
+    }
+    return content | ({"given": recognised.given} if recognised.given else {})
+
+
+def slug(text: str, joint: str = "_") -> str:
+    """Turn a folder's name into a name for a traverse or, with the joint ``-``, for a dataset.
+
+    Examples
+    --------
+    >>> slug("Day Left (1)"), slug("My-Walk.2024", "-")
+    ('day_left_1', 'my-walk-2024')
+    """
+    return re.sub(r"[^a-z0-9]+", joint, text.lower()).strip(joint)
 
 
 def _free_id(asked: str | None, usual: str) -> str:

@@ -48,17 +48,17 @@ def remember_digest(name: str, digest: str, folder: Path) -> None:
         write_bytes(file, json.dumps(entries, indent=2, sort_keys=True).encode())
 
 
-def vouched_digest(one: TraverseCard, source: str) -> tuple[str | None, str]:
+def vouched_digest(one: TraverseCard, source: str | None) -> tuple[str | None, str]:
     """Return the digest that a traverse should have, and who says so; None if nobody does.
 
     Parameters
     ----------
     one : TraverseCard
         The card's own digest comes first.
-    source : str
-        Dataset, with its edition.
+    source : str, optional
+        Dataset, with its edition; None for images of which no record is kept.
     """
-    if one.digest is not None:
+    if one.digest is not None or source is None:
         return one.digest, "the card knows"
     return known_digest(f"{source}/{one.name}"), "was met here first"
 

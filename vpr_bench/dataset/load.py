@@ -114,7 +114,7 @@ def load_from(card: Card, protocol: Protocol, folder: Path, *, foreign: bool = F
     card, protocol, folder
         What to load, and where it is.
     foreign : bool
-        The images come from somebody else: warn if they are not the ones that are known.
+        The images come from somebody else: where the card knows no digests, those of first contact count.
 
     Raises
     ------
@@ -157,8 +157,7 @@ def _load_parts(card: Card, protocol: Protocol, name: str, folder: Path, foreign
         one = card.traverse(part.traverse)
         recording = load_traverse(card, one, folder)
         digest = traverse_digest(recording.traverse)
-        if foreign:
-            _compare(one, digest, protocol.source, folder)
+        _compare(one, digest, protocol.source, folder, foreign)
         recordings.append(_part_of(recording, part))
         digests.append(digest)
     if len(recordings) == 1:
@@ -187,13 +186,13 @@ def _load_given(card: Card, protocol: Protocol, folder: Path) -> GroundTruth | N
     return truth.take(columns).transpose().take(rows).transpose()
 
 
-def _compare(one: TraverseCard, digest: str, source: str, folder: Path) -> None:
+def _compare(one: TraverseCard, digest: str, source: str, folder: Path, foreign: bool) -> None:
     """Warn of images that are not those the card knows or, where it knows none, those that were met first.
 
     They are used all the same: other copies exist, but numbers measured on them may differ.
     """
-    expected, whose = vouched_digest(one, source)
-    if expected is None:
+    expected, whose = vouched_digest(one, source if foreign else None)
+    if expected is None and foreign:
         remember_digest(f"{source}/{one.name}", digest, folder / one.path)
     if expected not in (None, digest):
         warnings.warn(

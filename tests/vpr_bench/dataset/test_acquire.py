@@ -152,12 +152,12 @@ def test_something_else_in_its_place_is_neither_taken_for_it_nor_replaced(tiny_c
 
 
 def test_good_images_have_no_faults(tiny_dataset):
-    assert verify_images(tiny_dataset.card, tiny_dataset.folder) == []
+    assert verify_images(tiny_dataset.card, tiny_dataset.folder, "tiny") == []
 
 
 def test_images_that_the_digest_vouches_for_are_not_decoded(tiny_dataset, monkeypatch):
     monkeypatch.setattr("vpr_bench.types.traverse.decode_image", lambda source: pytest.fail("decoded"))
-    assert verify_images(tiny_dataset.card, tiny_dataset.folder) == []
+    assert verify_images(tiny_dataset.card, tiny_dataset.folder, "tiny") == []
 
 
 def change_a_byte(path):
@@ -188,7 +188,7 @@ def delete(path):
 )
 def test_a_fault_in_one_traverse_is_one_fault(tiny_dataset, spoil, kind, message):
     spoil(tiny_dataset.folder / "day_right" / "Image005.jpg")
-    (fault,) = verify_images(tiny_dataset.card, tiny_dataset.folder)
+    (fault,) = verify_images(tiny_dataset.card, tiny_dataset.folder, "tiny")
     assert type(fault) is kind
     with pytest.raises(VprBenchError, match=message):
         raise fault
@@ -197,7 +197,7 @@ def test_a_fault_in_one_traverse_is_one_fault(tiny_dataset, spoil, kind, message
 def test_every_traverse_is_checked(tiny_dataset):
     truncate(tiny_dataset.folder / "day_left" / "Image000.jpg")
     shutil.rmtree(tiny_dataset.folder / "night_right")
-    faults = verify_images(tiny_dataset.card, tiny_dataset.folder)
+    faults = verify_images(tiny_dataset.card, tiny_dataset.folder, "tiny")
     assert [name for fault in faults for name in ("day_left", "night_right") if name in str(fault)] == [
         "day_left",
         "night_right",
@@ -207,9 +207,9 @@ def test_every_traverse_is_checked(tiny_dataset):
 def test_images_without_a_known_digest_are_decoded(tiny_dataset):
     unknown = [one.model_copy(update={"digest": None}) for one in tiny_dataset.card.traverses]
     card = tiny_dataset.card.model_copy(update={"traverses": unknown})
-    assert verify_images(card, tiny_dataset.folder) == []
+    assert verify_images(card, tiny_dataset.folder, "tiny") == []
     truncate(tiny_dataset.folder / "day_left" / "Image000.jpg")
-    assert len(verify_images(card, tiny_dataset.folder)) == 1
+    assert len(verify_images(card, tiny_dataset.folder, "tiny")) == 1
 
 
 def test_the_real_images_are_verified(real_gardens):

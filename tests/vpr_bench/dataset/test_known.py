@@ -37,9 +37,9 @@ def test_what_is_met_first_is_recorded_and_what_comes_then_is_compared(unvouched
 def test_another_copy_can_be_accepted(unvouched, tiny_dataset):
     load_case("tiny")
     touch(tiny_dataset.folder)
-    assert ["was met here first" in str(fault) for fault in verify_images(unvouched, tiny_dataset.folder)] == [True]
+    assert ["was met here first" in str(fault) for fault in verify_images(unvouched, tiny_dataset.folder, "tiny")] == [True]
     accept_images(unvouched, tiny_dataset.folder, "tiny")
-    assert verify_images(unvouched, tiny_dataset.folder) == []
+    assert verify_images(unvouched, tiny_dataset.folder, "tiny") == []
 
 
 def test_neither_simulated_images_nor_the_users_own_are_held_against_a_record(unvouched, tiny_dataset, tmp_path):

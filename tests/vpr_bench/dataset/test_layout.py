@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from vpr_bench.dataset.layout import Layout, Recognised, as_layout, find_layout, recognise
-from vpr_bench.dataset.own import recognised_card
+from vpr_bench.dataset.own import own_card
 from vpr_bench.errors import DataError, UsageError
 
 PROTOCOL = {"references": "a", "queries": "b", "radius": 1}
@@ -58,8 +58,8 @@ def test_what_a_layout_raises_is_told_in_one_line(layouts):
 )
 def test_a_folder_that_makes_no_dataset_is_a_data_error(layouts, tmp_path, traverses):
     layouts(only=(1, Recognised("two walks", "f", traverses, [PROTOCOL])))
-    with pytest.raises(DataError, match=r"looks like only .*but makes no dataset"):
-        recognised_card(tmp_path)
+    with pytest.raises(DataError, match="cannot be described"):
+        own_card(tmp_path)
 
 
 def test_a_plug_in_that_is_no_layout_is_refused():

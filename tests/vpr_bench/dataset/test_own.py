@@ -2,9 +2,10 @@ import shutil
 
 import pytest
 
+from vpr_bench.dataset.describe_own import CARD_FILE, describe_own, slug
 from vpr_bench.dataset.layout import LAYOUTS
 from vpr_bench.dataset.load import load_case
-from vpr_bench.dataset.own import CARD_FILE, own_card, recognised_card, slug
+from vpr_bench.dataset.own import own_card
 from vpr_bench.dataset.request import own_folder
 from vpr_bench.errors import DataError, UsageError
 
@@ -46,14 +47,14 @@ def test_without_a_card_the_layout_is_recognised(own):
 
 def test_a_layout_can_be_asked_for(own):
     with pytest.raises(UsageError, match="There is no layout 'numberd'"):
-        recognised_card(own, "numberd")
-    with pytest.raises(DataError, match="is not recognised as numbered"):
-        recognised_card(own, "numbered")
+        describe_own(own, "numberd")
+    with pytest.raises(UsageError, match="'numbered' recognises no folders"):
+        describe_own(own, "numbered")
 
 
 def test_a_folder_of_no_layout_says_what_there_is(tmp_path):
     (tmp_path / "notes.txt").write_text("nothing to see")
-    with pytest.raises(DataError, match=f"is not recognised as any layout.*{LAYOUTS.entries()[0].name}"):
+    with pytest.raises(DataError, match=f"(?s)is not recognised: it holds no images.*{LAYOUTS.entries()[0].name}"):
         own_card(tmp_path)
 
 
