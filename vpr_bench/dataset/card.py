@@ -99,6 +99,7 @@ class Overlay(_Frozen):
     loader: Loader | None = None
     traverses: list[TraverseCard] | None = None
     given: list[GivenCard] | None = None
+    unit: Unit | None = None
     protocols: Annotated[list[ProtocolCard], Field(min_length=1)] | None = None
 
 

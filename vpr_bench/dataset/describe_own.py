@@ -107,7 +107,7 @@ def describe_own(
     """
     said = _recognised(folder, layout)
     name = layout or next(iter(said))
-    content = _content(folder, name, said[name])
+    content = card_content(folder, name, said[name])
     content |= {key: one_line(value) for key, value in stated.items() if value}
     content |= {"name": one_line(content["name"]) or "own data", "id": _free_id(dataset_id, content["id"])}
     if radius is not None:
@@ -133,7 +133,7 @@ def _recognised(folder: Path, layout: str | None) -> dict[str, Recognised]:
     return said
 
 
-def _content(folder: Path, layout: str, recognised: Recognised) -> dict[str, Any]:
+def card_content(folder: Path, layout: str, recognised: Recognised) -> dict[str, Any]:
     """Return the content of a card for a folder that was recognised."""
     content: dict[str, Any] = {
         "id": slug(folder.name, "-") or "own",

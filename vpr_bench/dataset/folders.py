@@ -17,15 +17,29 @@ def data_root() -> Path:
     DataError
         If the variable names something that is not a folder.
     """
-    named = os.environ.get(DATA_VARIABLE)
-    if named:
-        root = Path(os.path.expanduser(named)).resolve()  # noqa: PTH111 - Path's raises where there is no such user
-        if not root.is_dir():
-            raise DataError(f"{DATA_VARIABLE} names {root}, which is not a folder. Create it or unset the variable.")
-        return root
+    named = folder_named_by(DATA_VARIABLE)
+    if named is not None:
+        return named
     import platformdirs
 
     return Path(platformdirs.user_data_dir("vpr-bench", appauthor=False))
+
+
+def folder_named_by(variable: str) -> Path | None:
+    """Return the folder that an environment variable names, None if it is empty or not set.
+
+    Raises
+    ------
+    DataError
+        If the variable names something that is not a folder.
+    """
+    named = os.environ.get(variable)
+    if not named:
+        return None
+    folder = Path(os.path.expanduser(named)).resolve()  # noqa: PTH111 - Path's raises where there is no such user
+    if not folder.is_dir():
+        raise DataError(f"{variable} names {folder}, which is not a folder. Create it or unset the variable.")
+    return folder
 
 
 def cache_root() -> Path:

@@ -4,7 +4,6 @@ from pathlib import Path
 
 from vpr_bench.dataset.card import Card
 from vpr_bench.dataset.describe_own import CARD_FILE, describe_own
-from vpr_bench.dataset.describe_own import slug as slug
 from vpr_bench.dataset.layout import LAYOUTS
 from vpr_bench.errors import DataError, closest
 

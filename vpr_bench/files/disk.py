@@ -8,7 +8,10 @@ from pathlib import Path
 
 from vpr_bench.errors import DataError
 
-_ELSEWHERE = "choose another folder (VPR_BENCH_DATA for images, --output for runs, XDG_CACHE_HOME for rendered ones)"
+_ELSEWHERE = (
+    "choose another folder (VPR_BENCH_DATA for images, VPR_BENCH_WEIGHTS for weights, --output for runs, "
+    "XDG_CACHE_HOME for rendered images)"
+)
 _FULL = {errno.ENOSPC, errno.EDQUOT}
 _FORBIDDEN = {errno.EACCES, errno.EPERM, errno.EROFS}
 _NOT_A_FOLDER = {errno.ENOTDIR, errno.EEXIST, errno.EISDIR}

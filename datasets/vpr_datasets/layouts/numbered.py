@@ -1,5 +1,6 @@
 """Folders of numbered frames, where the same number is the same place."""
 
+import re
 from importlib.resources import files
 from pathlib import Path
 
@@ -50,8 +51,12 @@ def load(
     Raises
     ------
     DataError
-        If the folder is missing, or an image is missing or is one too many.
+        If the folder is missing or empty, an image is missing or is one too many, or the pattern or list is none.
     """
+    if not re.fullmatch(r"[^{}/\\]*\{index(:0[1-9]d)?\}[^{}/\\]*", pattern) or step < 1:
+        raise DataError(
+            f"The pattern must be a file name with {{index}} or {{index:05d}}. Got {pattern!r:.60} instead."
+        )
     found = {file.name for file in image_files(folder)}
     if frames is not None:
         numbers = listed_frames(frames)
@@ -61,6 +66,8 @@ def load(
         numbers = list(range(first, first + count * step, step))
         labels = np.array(numbers, dtype=np.float64)
     expected = [pattern.format(index=number) for number in numbers]
+    if not expected:
+        raise DataError(f"{folder} holds no images. Restore them, or fetch the dataset again.")
     missing = sorted(set(expected) - found)
     surplus = [] if frames else sorted(found.difference(expected))
     if missing or surplus:
@@ -74,7 +81,15 @@ def load(
 
 
 def listed_frames(name: str) -> list[int]:
-    """Read a list of frame numbers, written as one range ``first-last`` per line."""
+    """Read a list of frame numbers, written as one range ``first-last`` per line.
+
+    Raises
+    ------
+    DataError
+        If there is no such list.
+    """
+    if not re.fullmatch("[a-z0-9_]+[.]txt", name) or not files("vpr_datasets.frames").joinpath(name).is_file():
+        raise DataError(f"There is no list of frames {name!r:.60} in vpr_datasets/frames.")
     lines = files("vpr_datasets.frames").joinpath(name).read_text("utf-8").split()
     ranges = [line.split("-") for line in lines]
     return [number for first, last in ranges for number in range(int(first), int(last) + 1)]

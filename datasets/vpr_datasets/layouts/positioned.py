@@ -9,8 +9,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from vpr_bench.dataset.card import TraverseCard
+from vpr_bench.dataset.describe_own import slug
 from vpr_bench.dataset.layout import Recognised
-from vpr_bench.dataset.own import slug
 from vpr_bench.errors import DataError
 from vpr_datasets.layouts.roles import pairings
 

@@ -1,18 +1,9 @@
 """Which folder of somebody's images is the map, and which are looked up in it."""
 
 from collections.abc import Sequence
-from pathlib import Path
-
-from vpr_datasets.layouts.images import image_files
 
 _MAPS = ("ref", "reference", "references", "database", "db", "map", "train", "gallery")
 _QUERIES = ("query", "queries", "q", "test", "probe")
-
-
-def image_folders(folder: Path) -> list[Path]:
-    """Return the folders in a folder that hold images themselves, sorted by name; hidden ones are passed by."""
-    inner = (one for one in folder.iterdir() if one.is_dir() and not one.name.startswith((".", "__")))
-    return sorted(one for one in inner if image_files(one))
 
 
 def pairings(names: Sequence[str]) -> list[tuple[str, str]]:

@@ -215,4 +215,4 @@ def test_images_without_a_known_digest_are_decoded(tiny_dataset):
 def test_the_real_images_are_verified(real_gardens):
     from vpr_bench.dataset.card import find_card
 
-    assert verify_images(find_card("gardens"), real_gardens) == []
+    assert verify_images(find_card("gardens"), real_gardens, "gardens") == []

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vpr_bench.dataset.card import TraverseCard
-from vpr_bench.dataset.own import recognised_card
+from vpr_bench.dataset.describe_own import describe_own
 from vpr_bench.errors import DataError
 from vpr_datasets.layouts.csv_table import load, recognise
 
@@ -51,9 +51,9 @@ def test_a_column_may_name_the_traverse(tmp_path, column):
     rows = ["Map A,day/1.jpg,0,0", "q,day/2.jpg,0,5", "Map A,night/1.jpg,1,0"]
     write(tmp_path, rows, f"{column},image,x,y")
     assert sources(load(tmp_path, CARD, traverse="Map A"), tmp_path) == ["day/1.jpg", "night/1.jpg"]
-    recognised, card = recognised_card(tmp_path, "csv")
+    card = describe_own(tmp_path, "csv").card
     assert [(one.name, one.folder, one.images) for one in card.traverses] == [("map_a", ".", 2), ("q", ".", 1)]
-    assert len(load(tmp_path / card.traverses[0].path, CARD, **recognised.options, **card.traverses[0].options)) == 2
+    assert len(load(tmp_path / card.traverses[0].path, CARD, **card.loader.options, **card.traverses[0].options)) == 2
 
 
 @pytest.mark.parametrize("separator", [",", ";", "\t"])
@@ -195,10 +195,10 @@ def test_unknown_traverses_and_other_counts_are_told(tmp_path):
 
 def test_a_table_with_degrees_is_recognised_with_its_zone(tmp_path):
     write(tmp_path, ["night/1.jpg;-27.5;153", "day/1.jpg;-27.5;153.01"], "image;lat;lon")
-    recognised, card = recognised_card(tmp_path, "csv")
-    assert recognised.options == {"file": "images.csv", "zone": "56J"}
+    card = describe_own(tmp_path, "csv").card
+    assert card.loader.options == {"file": "images.csv", "zone": "56J"}
     assert [str(one) for one in card.listed_protocols()] == [f"{card.id}/night-day@25m"]
-    assert load(tmp_path, CARD, **recognised.options, traverse="day").labels.shape == (1, 2)
+    assert load(tmp_path, CARD, **card.loader.options, traverse="day").labels.shape == (1, 2)
 
 
 def test_a_table_with_a_wrong_line_is_told_and_not_passed_over(tmp_path):

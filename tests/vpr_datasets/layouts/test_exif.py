@@ -10,8 +10,8 @@ from PIL import Image
 from PIL.TiffImagePlugin import IFDRational
 
 from vpr_bench.dataset.card import TraverseCard
+from vpr_bench.dataset.describe_own import describe_own
 from vpr_bench.dataset.load import DatasetWarning
-from vpr_bench.dataset.own import recognised_card
 from vpr_bench.errors import DataError
 from vpr_datasets.layouts.exif import load, recognise
 from vpr_datasets.layouts.exif_header import read_header
@@ -207,10 +207,10 @@ def test_folders_of_photographs_are_recognised(tmp_path):
         write(tmp_path / "Day 1" / f"{index}.jpg", latitude=-27.5, longitude=153 + index / 1e4)
         write(tmp_path / "query" / f"{index}.jpg", latitude=-27.5, longitude=153 + index / 1e4)
     PIXEL.save(tmp_path / "query" / "0.jpg")  # one that must be moved away
-    recognised, card = recognised_card(tmp_path, "exif")
-    assert recognised.options == {"zone": "56J"}
+    card = describe_own(tmp_path, "exif").card
+    assert card.loader.options == {"zone": "56J"}
     assert [(one.references, one.queries, one.radius) for one in card.protocols] == [("day_1", "query", 25)]
-    assert len(load(tmp_path / card.traverses[0].path, card.traverses[0], **recognised.options)) == 20
+    assert len(load(tmp_path / card.traverses[0].path, card.traverses[0], **card.loader.options)) == 20
 
 
 def test_folders_without_positions_are_not_recognised(tmp_path):

@@ -1,9 +1,10 @@
 import numpy as np
 import pytest
+from PIL import Image
 
 from vpr_bench.dataset.card import TraverseCard
+from vpr_bench.dataset.describe_own import CARD_FILE, describe_own
 from vpr_bench.dataset.load import load_case
-from vpr_bench.dataset.own import CARD_FILE, recognised_card
 from vpr_bench.errors import DataError
 from vpr_datasets.layouts.folders import LAYOUT, load, recognise
 
@@ -67,7 +68,7 @@ def test_folders_of_one_length_are_aligned_by_order(tmp_path):
 
 def test_every_folder_is_looked_up_in_the_map(tmp_path):
     write(tmp_path, **{name: frames(1, 2, 3, 4) for name in ("Dusk walk", "reference", "dawn (2)")})
-    _, card = recognised_card(tmp_path, "folders")
+    card = describe_own(tmp_path, "folders").card
     assert [one.pairing for one in card.listed_protocols()] == ["reference-dusk_walk", "reference-dawn_2"]
     assert [one.folder for one in card.traverses] == ["Dusk walk", "dawn (2)", "reference"]
     assert load_case(str(tmp_path)).ground_truth.n_queries == 4
@@ -117,7 +118,7 @@ def test_the_radius_is_never_the_whole_map(tmp_path):
 
 def test_folders_that_differ_only_in_case_or_have_no_latin_letters_get_names(tmp_path):
     write(tmp_path, **{name: frames(1, 2, 3, 4) for name in ("Day", "day", "朝", "夜")})
-    _, card = recognised_card(tmp_path, "folders")
+    card = describe_own(tmp_path, "folders").card
     assert [one.name for one in card.traverses] == ["day", "day_2", "traverse", "traverse_2"]
     assert len(load_case(str(tmp_path), "day-traverse_2").queries) == 4
 
@@ -134,3 +135,11 @@ def test_what_says_nothing_is_not_recognised(tmp_path):
 def test_a_folder_that_no_card_can_name_is_passed_by(tmp_path):
     write(tmp_path, **{name: frames(1, 2, 3, 4) for name in ("day", "night", "walk 10:30", "a\\b")})
     assert "2 folders of images (day (4), night (4))" in recognise(tmp_path).found
+
+
+def test_mosaics_become_colour_images(tmp_path):
+    mosaic = np.zeros((8, 8), np.uint8)
+    mosaic[::2, ::2] = 200  # red, where the pattern is RGGB
+    Image.fromarray(mosaic).save(tmp_path / "0.png")
+    red = load(tmp_path, TraverseCard(name="walk"), bayer="RGGB").traverse[0]
+    assert red[2:6, 2:6].mean(axis=(0, 1)).tolist() == [200, 0, 0]

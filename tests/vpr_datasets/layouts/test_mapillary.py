@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vpr_bench.dataset.card import TraverseCard
+from vpr_bench.dataset.describe_own import describe_own
 from vpr_bench.dataset.load import DatasetWarning
-from vpr_bench.dataset.own import recognised_card
 from vpr_bench.errors import DataError
 from vpr_datasets.layouts.mapillary import load, recognise
 
@@ -149,20 +149,20 @@ def test_folders_are_recognised_one_and_two_levels_down(tmp_path, deeper):
     write(tmp_path / deeper / "berlin_A100_1", range(4))
     write(tmp_path / deeper / "berlin_A100_2", range(5))
     (tmp_path / "other").mkdir()
-    recognised, card = recognised_card(tmp_path, "mapillary")
-    assert recognised.options == {"zone": "33U"} and card.unit == "m"
+    card = describe_own(tmp_path, "mapillary").card
+    assert card.loader.options == {"zone": "33U"} and card.unit == "m"
     assert [(one.name, one.images) for one in card.traverses] == [("berlin_a100_1", 4), ("berlin_a100_2", 5)]
     assert [(one.references, one.queries, one.radius) for one in card.protocols] == [
         ("berlin_a100_1", "berlin_a100_2", 25)
     ]
-    assert len(load(tmp_path / card.traverses[1].path, card.traverses[1], **recognised.options)) == 5
+    assert len(load(tmp_path / card.traverses[1].path, card.traverses[1], **card.loader.options)) == 5
 
 
 def test_places_are_not_looked_up_in_each_other(tmp_path):
     for place in ("a100", "kudamm"):
         for side in ("1", "2"):
             write(tmp_path / place / side, range(3))
-    _, card = recognised_card(tmp_path, "mapillary")
+    card = describe_own(tmp_path, "mapillary").card
     pairs = [(one.references, one.queries) for one in card.protocols]
     assert pairs == [("1", "2"), ("kudamm_1", "kudamm_2")]
 

@@ -172,3 +172,23 @@ def test_frames_are_decoded_once_to_find_the_dark_ones(tunnel, monkeypatch):
 def test_nothing_but_dark_frames_is_an_error(tunnel):
     with pytest.raises(DataError, match="All 4 images of winter are darker than 201 of 255"):
         load(tunnel, TraverseCard(name="winter", images=4), "{index}.png", darkest=201)
+
+
+@pytest.mark.parametrize(
+    "pattern",
+    ["Image.jpg", "{index}/{index}.jpg", "../{index}.jpg", "{index:0300000000d}.jpg", "{index!r}", "{number}.png"],
+)
+def test_a_pattern_that_is_none_is_refused(folder, pattern):
+    with pytest.raises(DataError, match="The pattern must be a file name"):
+        load(folder, CARD, pattern)
+
+
+@pytest.mark.parametrize("name", ["../../secret.txt", "/etc/passwd", "no_such.txt", "a/b.txt", ""])
+def test_a_list_of_frames_is_one_of_ours(folder, name):
+    with pytest.raises(DataError, match="There is no list of frames"):
+        load(folder, CARD, PATTERN, frames=name)
+
+
+def test_an_empty_folder_is_refused_however_many_there_may_be(tmp_path):
+    with pytest.raises(DataError, match="holds no images"):
+        load(tmp_path, TraverseCard(name="walk"), PATTERN)

@@ -1,13 +1,13 @@
 import pytest
 
 from vpr_bench.dataset.card import Card
-from vpr_bench.dataset.own import describe
+from vpr_bench.dataset.describe_own import card_content
 from vpr_bench.errors import DataError
 from vpr_datasets.layouts.positioned import Found, positioned
 
 
 def card(tmp_path, *traverses):
-    return Card.model_validate(describe(tmp_path, "utm", positioned("positions", traverses)))
+    return Card.model_validate(card_content(tmp_path, "utm", positioned("positions", traverses)))
 
 
 def test_every_traverse_gets_a_name_of_its_own(tmp_path):

@@ -6,8 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vpr_bench.dataset.card import TraverseCard
+from vpr_bench.dataset.describe_own import describe_own
 from vpr_bench.dataset.load import DatasetWarning
-from vpr_bench.dataset.own import recognised_card
 from vpr_bench.errors import DataError
 from vpr_datasets.layouts.utm_name import Name, parse_name
 from vpr_datasets.layouts.utm_names import load, recognise
@@ -135,11 +135,11 @@ def test_database_and_queries_are_recognised(tmp_path, place):
     write(tmp_path / place / "database", "x/@0@1@.jpg", "y/@0@2@.jpg")
     if place:
         write(tmp_path / place / ".." / "train" / "database", "@5@5@.jpg")
-    recognised, card = recognised_card(tmp_path, "utm")
+    card = describe_own(tmp_path, "utm").card
     assert [(one.references, one.queries, one.radius) for one in card.protocols] == [("database", "queries", 25)]
     assert {one.name: one.images for one in card.traverses} == {"database": 2, "queries": 1}
     for one in card.traverses:
-        assert len(load(tmp_path / one.path, one, **recognised.options)) == one.images
+        assert len(load(tmp_path / one.path, one, **card.loader.options)) == one.images
 
 
 def test_a_dataset_in_two_zones_is_told_where_it_is_recognised(tmp_path):

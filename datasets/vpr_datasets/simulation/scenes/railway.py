@@ -23,7 +23,7 @@ SETTING = Setting(
     slab_reach=110.0,
     kerb=None,
     skyline="hills",
-    snow={"spring": 0.34, "winter": 0.8},
+    snow={"spring": 0.34, "winter": 0.7},
 )
 
 SIDES = ("wood", "wood", "wood", "meadow", "farm", "lake", "birches", "heath", "village", "meadow")
