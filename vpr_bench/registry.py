@@ -1,11 +1,8 @@
-"""Plug-ins by name: entry points of installed packages, or ``module:Class``, imported when they are used.
+"""Plug-ins by name: entry points of installed packages, ``module:Class`` or ``file.py:Class``, imported when used.
 
 Our own datasets and methods come through the same door as everybody else's.
 """
 
-import ast
-import importlib
-import importlib.util
 import warnings
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -14,29 +11,14 @@ from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from vpr_bench.errors import UsageError, blaming, closest
+from vpr_bench.definition import Definition
+from vpr_bench.errors import UsageError, closest
+from vpr_bench.importing import import_object, is_file
 
 T = TypeVar("T")
 
-
-def import_object(target: str, called: str) -> Any:
-    """Import what ``module:attribute`` names.
-
-    Raises
-    ------
-    UsageError
-        If that is not possible; ``called`` is what the message names.
-    """
-    module, _, attribute = target.partition(":")
-    with blaming(f"{called} cannot be loaded from {target}", UsageError):
-        loaded: Any = importlib.import_module(module)
-        for part in attribute.split("."):
-            loaded = getattr(loaded, part)
-    return loaded
-
-
 NOT_INSTALLED = "not installed"
-"""Origin of what is named by ``module:Class`` and comes from no package."""
+"""Origin of what is named by ``module:Class`` or ``file.py:Class`` and comes from no package."""
 
 
 class PluginWarning(UserWarning):
@@ -50,11 +32,11 @@ class Entry:
     Attributes
     ----------
     name : str
-        What it is called on the command line.
+        What it is called on the command line; of a ``file.py:Class``, without the folder.
     target : str
-        ``module:attribute``.
+        ``module:attribute`` or ``/path/to/file.py:attribute``.
     origin : str
-        The distribution that brings it, with its version; ``not installed`` for a bare ``module:Class``.
+        The distribution that brings it, with its version; ``not installed`` for what comes from none.
     """
 
     name: str
@@ -71,43 +53,19 @@ class Entry:
         """
         return import_object(self.target, f"{self.name!r} ({self.origin})")
 
+    def definition(self) -> Definition | None:
+        """Return what its source says, read without importing it; None if that cannot be found."""
+        return Definition.find(self.target)
+
     def summary(self) -> str:
-        """Return the first line of the docstring, read from the source without importing it ('' if none)."""
-        node = self._definition()
-        return (ast.get_docstring(node) or "").partition("\n")[0] if node else ""
+        """Return the first line of its docstring, read without importing it ('' if none)."""
+        found = self.definition()
+        return found.summary() if found else ""
 
     def parameters(self) -> dict[str, str]:
-        """Return the constructor's parameters with their defaults, read from the source without importing it."""
-        node = self._definition()
-        body = node.body if isinstance(node, ast.ClassDef) else []
-        for part in body:
-            if isinstance(part, ast.FunctionDef) and part.name == "__init__":
-                arguments = [*part.args.args[1:], *part.args.kwonlyargs]
-                required = len(part.args.args) - 1 - len(part.args.defaults)
-                defaults = [None] * required + [*part.args.defaults, *part.args.kw_defaults]
-                return {one.arg: _written(default) for one, default in zip(arguments, defaults, strict=True)}
-        fields = (part for part in body if isinstance(part, ast.AnnAssign) and isinstance(part.target, ast.Name))
-        return {
-            ast.unparse(field.target): _written(field.value)
-            for field in fields
-            if not ast.unparse(field.annotation).startswith("ClassVar")
-        }
-
-    def _definition(self) -> ast.ClassDef | ast.FunctionDef | None:
-        module_name, _, attribute = self.target.partition(":")
-        try:
-            spec = importlib.util.find_spec(module_name)
-            tree = ast.parse(Path(spec.origin).read_text("utf-8")) if spec and spec.origin else None
-        except Exception:  # finding a module runs its package's __init__, which may raise anything
-            return None
-        for node in tree.body if tree else []:
-            if isinstance(node, ast.ClassDef | ast.FunctionDef) and node.name == attribute:
-                return node
-        return None
-
-
-def _written(default: ast.expr | None) -> str:
-    return "required" if default is None else ast.unparse(default)
+        """Return its constructor's parameters with their defaults, read without importing it."""
+        found = self.definition()
+        return found.parameters() if found else {}
 
 
 class Registry(Generic[T]):
@@ -139,6 +97,9 @@ class Registry(Generic[T]):
                 same_name.append(entry)
         return found
 
+    def __contains__(self, name: str) -> bool:
+        return name in self._found
+
     def entries(self) -> list[Entry]:
         """Return every plug-in, sorted by name; a name that two packages claim is left out with a warning."""
         for name, claims in self._found.items():
@@ -147,7 +108,7 @@ class Registry(Generic[T]):
         return [claims[0] for _, claims in sorted(self._found.items()) if len(claims) == 1]
 
     def entry(self, name: str) -> Entry:
-        """Find one plug-in by name, or describe the object that ``module:Class`` names.
+        """Find one plug-in by name, or describe the object that ``module:Class`` or ``file.py:Class`` names.
 
         Raises
         ------
@@ -159,7 +120,10 @@ class Registry(Generic[T]):
             return claims[0]
         if claims:
             raise UsageError(self._duplicate(name, claims))
-        module, colon, attribute = name.partition(":")
+        module, colon, attribute = name.rpartition(":")
+        if is_file(module):
+            file = Path(module).expanduser().absolute()
+            return Entry(f"{file.name}:{attribute}", f"{file}:{attribute}", NOT_INSTALLED)
         if colon and all(part.isidentifier() for part in [*module.split("."), *attribute.split(".")]):
             return Entry(name, name, NOT_INSTALLED)
         raise UsageError(f"There is no {self.noun} {name!r}. {closest(name, self._found)}")

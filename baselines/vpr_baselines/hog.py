@@ -1,8 +1,8 @@
-"""Histograms of oriented gradients, compared by cosine."""
+"""Histograms of oriented gradients."""
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import cv2
 import numpy as np
@@ -14,15 +14,15 @@ from vpr_baselines.retrieval import Retrieval
 
 @dataclass
 class Hog(Retrieval):
-    """HOG of the whole image (Dalal and Triggs, CVPR 2005) with cosine similarity.
+    """HOG of the whole image (Dalal and Triggs, CVPR 2005), blocks of 2 × 2 cells that advance by one cell.
 
-    The defaults are VPR-Bench's (Zaffar et al., IJCV 2021): 512 × 512 grey, cells of 16, blocks of 2 × 2 cells,
-    9 bins, 34,596 numbers per image.
+    The defaults are VPR-Bench's (Zaffar et al., IJCV 2021): 512 × 512 grey, cells of 16, 9 bins, 34,596 numbers
+    per image. The preset ``thesis`` is 64 × 128, cells of 8, 9 bins, 3,780 numbers.
 
     Parameters
     ----------
-    size : int
-        Side in pixels of the square that images are resized to; a multiple of ``cell``.
+    width, height : int
+        What images are resized to, in pixels; multiples of ``cell``.
     cell : int
         Side of a cell in pixels.
     bins : int
@@ -30,8 +30,13 @@ class Hog(Retrieval):
     """
 
     version: ClassVar[str] = "1"
+    presets: ClassVar[dict[str, dict[str, Any]]] = {
+        "thesis": {"width": 64, "height": 128, "cell": 8, "bins": 9},
+        "vpr-bench": {"width": 512, "height": 512, "cell": 16, "bins": 9},
+    }
 
-    size: int = 512
+    width: int = 512
+    height: int = 512
     cell: int = 16
     bins: int = 9
 
@@ -41,20 +46,25 @@ class Hog(Retrieval):
         Raises
         ------
         ValueError
-            If the size does not hold whole cells, at least two.
+            If a side does not hold whole cells, at least two.
         """
-        if self.cell < 1 or self.bins < 1 or self.size % self.cell or self.size < 2 * self.cell:
+        super().__post_init__()
+        sides = (self.width, self.height)
+        if self.cell < 1 or self.bins < 1 or any(side % self.cell or side < 2 * self.cell for side in sides):
             raise ValueError(
-                "size must be a multiple of cell and hold at least two, bins at least 1. "
-                f"Got size={self.size}, cell={self.cell}, bins={self.bins} instead."
+                "width and height must be multiples of cell and hold at least two, bins at least 1. "
+                f"Got width={self.width}, height={self.height}, cell={self.cell}, bins={self.bins} instead."
             )
 
     @cached_property
     def _extractor(self) -> cv2.HOGDescriptor:
-        window, cell = (self.size, self.size), (self.cell, self.cell)
-        return cv2.HOGDescriptor(window, (2 * self.cell, 2 * self.cell), cell, cell, self.bins)
+        cell = (self.cell, self.cell)
+        return cv2.HOGDescriptor((self.width, self.height), (2 * self.cell, 2 * self.cell), cell, cell, self.bins)
 
     def describe(self, image: NDArray[np.uint8]) -> NDArray[np.float32]:
-        """Turn one (H, W, 3) uint8 RGB image into its (D,) float32 HOG, D = (size/cell - 1)² · 4 · bins."""
-        square = resized(grey(image), self.size, self.size)
-        return np.asarray(self._extractor.compute(square), dtype=np.float32).ravel()
+        """Turn one (H, W, 3) uint8 RGB image into its (D,) float32 HOG.
+
+        D = (width/cell - 1) · (height/cell - 1) · 4 · bins.
+        """
+        window = resized(grey(image), self.width, self.height)
+        return np.asarray(self._extractor.compute(window), dtype=np.float32).ravel()

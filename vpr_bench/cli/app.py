@@ -10,6 +10,7 @@ from vpr_bench.cli.doctor import doctor
 from vpr_bench.cli.listing import INFO_EXAMPLES, LIST_EXAMPLES, info, list_
 from vpr_bench.cli.run import EXAMPLES, run
 from vpr_bench.cli.stored import SCORE_EXAMPLES, SHOW_EXAMPLES, score, show
+from vpr_bench.cli.weights import app as weights
 
 app = typer.Typer(
     name="vpr-bench",
@@ -47,4 +48,5 @@ app.command("show", epilog=SHOW_EXAMPLES)(show)
 app.command("score", epilog=SCORE_EXAMPLES)(score)
 app.command("doctor")(doctor)
 app.add_typer(data, name="data")
+app.add_typer(weights, name="weights")
 app.add_typer(bench, name="bench")

@@ -61,11 +61,14 @@ def _images() -> list[tuple[str, object]]:
 
 def _weights() -> list[tuple[str, object]]:
     from vpr_bench.method.build import METHODS, build_method
+    from vpr_bench.weights.place import MissingWeightsError
 
     states: list[tuple[str, object]] = []
     for entry in METHODS.entries():
         try:
             weights: object = build_method(entry.name).weights or "needs none"
+        except MissingWeightsError as error:
+            weights = str(error)  # a method that nobody uses here is no fault
         except VprBenchError as error:
             weights = error
         states.append((f"weights of {entry.name}", weights))

@@ -100,20 +100,31 @@ def _describe(name: str) -> dict[str, Any]:
     if own is not None:
         return _describe_card(own_card(own), str(own))
     if name in methods or ":" in name:
-        entry = METHODS.entry(name)
-        parameters = [{"parameter": key, "default": value} for key, value in entry.parameters().items()]
-        return {
-            "method": name,
-            "summary": entry.summary(),
-            "from": f"{entry.origin} ({entry.target})",
-            "parameters": parameters,
-        }
+        return _describe_method(name)
     from vpr_bench.metrics.definitions import METRICS, lookup
 
     with suppress(UsageError):
         return {"metric": name, "definition": lookup(name).definition}
     known = methods | datasets | METRICS.keys()
     raise UsageError(f"There is no method, dataset or metric {name!r}. {closest(name, known)}")
+
+
+def _describe_method(name: str) -> dict[str, Any]:
+    from vpr_bench.method.build import find_method
+    from vpr_bench.method.presets import chosen, written_presets
+
+    entry, preset = find_method(name)
+    presets = written_presets(entry)
+    defaults = entry.parameters()
+    if preset is not None:
+        defaults |= {key: repr(value) for key, value in chosen(entry, presets, preset).items()}
+    return {
+        "method": name,
+        "summary": entry.summary(),
+        "from": f"{entry.origin} ({entry.target})",
+        "parameters": [{"parameter": key, "default": value} for key, value in defaults.items()],
+        "presets": [{"preset": f"{entry.name}:{key}", **values} for key, values in presets.items()],
+    }
 
 
 def _describe_card(card: "Card", origin: str) -> dict[str, Any]:
@@ -123,6 +134,7 @@ def _describe_card(card: "Card", origin: str) -> dict[str, Any]:
         "citation": card.citation,
         "licence": card.licence,
         "homepage": card.homepage,
+        "groups": ", ".join(card.groups),
         "from": origin,
         "traverses": [{"name": one.name, "images": one.images, "about": one.about} for one in card.traverses],
         "protocols": [
@@ -145,15 +157,33 @@ def _describe_card(card: "Card", origin: str) -> dict[str, Any]:
 
 def _methods() -> list[dict[str, str]]:
     from vpr_bench.method.build import METHODS
+    from vpr_bench.method.presets import written_presets
 
-    return [{"name": one.name, "what": one.summary(), "from": one.origin} for one in METHODS.entries()]
+    return [
+        {
+            "name": one.name,
+            "what": one.summary(),
+            "presets": ", ".join(f"{one.name}:{preset}" for preset in written_presets(one)),
+            "from": one.origin,
+        }
+        for one in METHODS.entries()
+    ]
 
 
 def _datasets() -> list[dict[str, str]]:
     from vpr_bench.dataset.card import DATASETS, as_card
 
     cards = DATASETS.load_all(as_card)
-    return [{"name": name, "what": card.summary, "from": DATASETS.entry(name).origin} for name, card in cards.items()]
+    return [
+        {
+            "name": name,
+            "what": card.summary,
+            "groups": ", ".join(card.groups),
+            "editions": ", ".join(card.edition_names()),
+            "from": DATASETS.entry(name).origin,
+        }
+        for name, card in cards.items()
+    ]
 
 
 def _metrics() -> list[dict[str, str]]:

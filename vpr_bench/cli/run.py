@@ -54,7 +54,7 @@ Overwrite = Literal["only-missing", "always", "never"]
 def run(
     method: Annotated[
         list[str],
-        typer.Option("--method", "-m", help="Name or module:Class; repeat for more.", metavar="NAME"),
+        typer.Option("--method", "-m", help="Name, module:Class or my_file.py:Class; repeat for more.", metavar="NAME"),
     ],
     dataset: Annotated[
         list[str],
@@ -78,6 +78,10 @@ def run(
     seed: Annotated[int, typer.Option(min=0, help="Of the order of the queries and of the methods.")] = 0,
     k: Annotated[int | None, typer.Option("--k", help="Answers kept per query. Default: 20, or the whole map.")] = None,
     limit: Annotated[int | None, typer.Option(help="Only the first N of the shuffled queries.", metavar="N")] = None,
+    timeout: Annotated[
+        float | None,
+        typer.Option(help="How long one answer may take; a method that takes longer has failed.", metavar="SECONDS"),
+    ] = None,
     threads: Annotated[int | None, typer.Option(min=1, help="Of numerical libraries. Default: all cores.")] = None,
     overwrite: Annotated[Overwrite, typer.Option(help="What becomes of stored runs.")] = "only-missing",
     metric: MetricOption = None,
@@ -96,7 +100,7 @@ def run(
 
     radii = parse_radii(radius)
     scoring = Scoring(check_metrics(metric, HEADLINE), radii, unmatched, bootstrap)
-    store, options = RunStore(output), RunOptions(seed, k, limit, threads, overwrite)
+    store, options = RunStore(output), RunOptions(seed, k, limit, threads, overwrite, timeout)
     rows: list[Row] = []
     failures = []
     try:
@@ -136,6 +140,8 @@ def _draw(rows: list["Row"], stored: "StoredRun") -> None:
 
 def _parameters(names: list[str], assignments: list[str]) -> dict[str, dict[str, str]]:
     """Sort ``--param`` by method."""
+    from vpr_bench.method.build import method_parameters
+
     if any(":" in name for name in names):
         sys.path.append(str(Path.cwd()))  # a console script does not find modules in the current folder
     parameters: dict[str, dict[str, str]] = {name: {} for name in names}
@@ -143,11 +149,15 @@ def _parameters(names: list[str], assignments: list[str]) -> dict[str, dict[str,
         target, equals, value = assignment.partition("=")
         if not equals or not target:
             raise UsageError(f"A parameter is written name=value. Got {assignment!r} instead.")
-        owner, dot, parameter = target.rpartition(".")
-        if dot and owner not in parameters:
+        owners = [name for name in parameters if target.startswith(f"{name}.")]
+        if owners:
+            parameters[owners[0]][target[len(owners[0]) + 1 :]] = value
+            continue
+        owner, dot, _ = target.rpartition(".")
+        if dot and not any(owner.partition(".")[0] in method_parameters(name) for name in parameters):
             raise UsageError(f"{assignment!r} is for the method {owner!r}, which is not run. {closest(owner, names)}")
-        for name in [owner] if dot else names:
-            parameters[name][parameter] = value
+        for name in parameters:
+            parameters[name][target] = value
     return parameters
 
 

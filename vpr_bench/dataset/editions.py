@@ -10,7 +10,7 @@ from vpr_bench.dataset.folders import cache_root, data_root
 from vpr_bench.errors import DataError, UsageError, blaming
 from vpr_bench.files.disk import disk_errors
 from vpr_bench.files.lock import held
-from vpr_bench.registry import import_object
+from vpr_bench.importing import import_object
 
 
 class Renderer(Protocol):

@@ -1,7 +1,7 @@
 """What the harness asks of a method, and the optional capabilities it looks for."""
 
 from pathlib import Path
-from typing import Protocol, Self, runtime_checkable
+from typing import Any, Protocol, Self, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +32,13 @@ class Persistent(Protocol):
     """A method whose fitted state can be kept on disk."""
 
     def save(self, folder: Path) -> None:
-        """Write what ``fit`` learnt into an existing empty folder."""
+        """Write what ``fit`` learnt into an existing empty folder.
+
+        Raises
+        ------
+        NotImplementedError
+            If it cannot be kept after all, as by a wrapper around a method that is not persistent.
+        """
         ...
 
     def load(self, folder: Path) -> Self:
@@ -47,3 +53,69 @@ class Weighted(Protocol):
     def weights_digest(self) -> str:
         """Return what identifies the weights, as ``name sha256:…``, without loading them into memory twice."""
         ...
+
+
+@runtime_checkable
+class Scoring(Protocol):
+    """A method that can say how similar an image is to every reference, which is what sequence methods build on."""
+
+    def scores(self, image: NDArray[np.uint8]) -> NDArray[np.float32]:
+        """Return the (N,) finite similarities of one (H, W, 3) uint8 RGB image to all references, higher is better."""
+        ...
+
+
+@runtime_checkable
+class Sequential(Protocol):
+    """A method whose answer depends on the queries before it: it is shown them in their order, after a reset.
+
+    The others are shown them shuffled, because in a dataset where frame *i* is frame *i* whoever counts the
+    queries is right without looking at one.
+    """
+
+    @property
+    def sequential(self) -> bool:
+        """Whether it is; a class attribute will do."""
+        ...
+
+    def reset(self) -> None:
+        """Forget the queries so far, and nothing of the map."""
+        ...
+
+
+@runtime_checkable
+class Foresighted(Sequential, Protocol):
+    """A sequential method that is shown some frames after the query before it answers.
+
+    Every frame is given to :meth:`foresee` once, in order, the query's own included, so that it need not be
+    described twice. ``match`` then answers the oldest frame that has not been answered. At the end of the
+    sequence there are fewer frames to foresee.
+    """
+
+    @property
+    def future(self) -> int:
+        """How many frames after the query it looks at; a parameter, so that it stands in the result."""
+        ...
+
+    def foresee(self, image: NDArray[np.uint8]) -> None:
+        """Take in the next (H, W, 3) uint8 RGB frame of the sequence."""
+        ...
+
+
+def is_sequential(method: Any) -> bool:
+    """Say whether a method is to be shown the queries in their order.
+
+    Raises
+    ------
+    TypeError
+        If it says so and cannot be reset.
+    """
+    if getattr(method, "sequential", False) is not True:
+        return False
+    if not isinstance(method, Sequential):
+        raise TypeError("it is sequential and has no reset()")
+    return True
+
+
+def frames_ahead(method: Any) -> int:
+    """Return how many frames after the query a method is shown before it answers, 0 for all that answer at once."""
+    return method.future if is_sequential(method) and isinstance(method, Foresighted) else 0

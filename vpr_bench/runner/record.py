@@ -3,7 +3,7 @@
 import hashlib
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
@@ -57,6 +57,13 @@ class RunRecord(BaseModel):
         Only some of the queries were asked (``--limit``): never ranked.
     resumed : bool
         It was interrupted and continued, so that its times come from several processes.
+    order : {"shuffled", "sequential"}
+        How the queries were asked: in the order that the key's seed gives, or, by a method that makes use of the
+        queries before, as they come.
+    future : int
+        How many frames after each query the method was shown before it answered.
+    timeout : float or None
+        Seconds that an answer was allowed to take; with a limit, answers come from a thread beside the main one.
     fit_seconds : float
         Wall time of fitting, decoding included.
     peak_memory : dict
@@ -76,6 +83,9 @@ class RunRecord(BaseModel):
     n_queries: int
     partial: bool
     resumed: bool
+    order: Literal["shuffled", "sequential"] = "shuffled"
+    future: int = 0
+    timeout: float | None = None
     fit_seconds: float
     peak_memory: dict[str, int]
     machine: Machine

@@ -1,5 +1,6 @@
 """One method on one protocol: done already, continued, or done now."""
 
+import math
 import shutil
 import warnings
 from dataclasses import dataclass
@@ -10,6 +11,7 @@ from vpr_bench.dataset.load import Case
 from vpr_bench.errors import DamagedError, DataError, UsageError
 from vpr_bench.files.disk import disk_errors
 from vpr_bench.method.build import BuiltMethod
+from vpr_bench.method.interfaces import is_sequential
 from vpr_bench.runner.record import RunKey
 from vpr_bench.runner.session import work_on
 from vpr_bench.runner.store import RunStore, StoredRun, StoreWarning
@@ -30,12 +32,16 @@ class RunOptions:
     k : int, optional
         Answers kept per query, at most the size of the map; by default 20, or the whole map if it is smaller.
     limit : int, optional
-        Ask only so many queries, the first in the seeded order: a quick look, marked partial.
+        Ask only so many queries, the first in the seeded order (by sequential methods, the first of all): a quick
+        look, marked partial.
     threads : int, optional
         For numerical libraries; by default one per core.
     overwrite : {"only-missing", "always", "never"}
         ``only-missing`` reuses a complete run, continues an interrupted one and redoes a damaged one;
         ``always`` runs again from the start; ``never`` changes nothing that is on disk.
+    timeout : float, optional
+        Seconds that an answer may take. A method that takes longer is given up; it has failed. The first of the
+        answers for warming up may take ten times as long.
     """
 
     seed: int = 0
@@ -43,6 +49,7 @@ class RunOptions:
     limit: int | None = None
     threads: int | None = None
     overwrite: Overwrite = "only-missing"
+    timeout: float | None = None
 
 
 def run_key(case: Case, built: BuiltMethod, options: RunOptions) -> RunKey:
@@ -51,7 +58,8 @@ def run_key(case: Case, built: BuiltMethod, options: RunOptions) -> RunKey:
     Raises
     ------
     UsageError
-        If ``k`` or the limit is out of range.
+        If ``k``, the limit or the time-out is out of range, or the method says that it is sequential and has no
+        ``reset``.
     """
     size = len(case.references)
     k = min(_DEFAULT_K, size) if options.k is None else options.k
@@ -59,6 +67,12 @@ def run_key(case: Case, built: BuiltMethod, options: RunOptions) -> RunKey:
         raise UsageError(f"k must lie between 1 and {size}, the number of references. Got {k} instead.")
     if options.limit is not None and options.limit < 1:
         raise UsageError(f"The limit must be at least 1. Got {options.limit} instead.")
+    if options.timeout is not None and not 0 < options.timeout < math.inf:
+        raise UsageError(f"The time-out must be positive. Got {options.timeout} instead.")
+    try:
+        is_sequential(built.method)
+    except TypeError as error:
+        raise UsageError(f"The method {built.id!r} cannot be run: {error}.") from None
     limit = options.limit if options.limit is not None and options.limit < len(case.queries) else None
     return RunKey(
         source=case.protocol.source,
@@ -89,7 +103,7 @@ def run(case: Case, built: BuiltMethod, store: RunStore, options: RunOptions | N
         If an image cannot be decoded or the store cannot be written, or, with ``never``, if the stored run
         is damaged or unfinished.
     VprBenchError
-        If the method raises or answers nonsense; names the query.
+        If the method raises, answers nonsense or takes too long; names the query.
     """
     options = options or RunOptions()
     key = run_key(case, built, options)
@@ -108,7 +122,7 @@ def run(case: Case, built: BuiltMethod, store: RunStore, options: RunOptions | N
             if found is not None:
                 return found
         with disk_errors(folder):
-            work_on(case, built, key, folder)
+            work_on(case, built, key, folder, options.timeout)
             return store.complete(key)
 
 

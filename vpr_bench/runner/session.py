@@ -7,46 +7,49 @@ import warnings
 from datetime import UTC, datetime
 from pathlib import Path
 
-import numpy as np
-
 from vpr_bench.dataset.load import Case
-from vpr_bench.errors import DataError, VprBenchError, blaming, one_line
+from vpr_bench.errors import DataError, blaming, one_line
 from vpr_bench.files.atomic import write_arrays, write_bytes
 from vpr_bench.files.digest import sha256_of_file
 from vpr_bench.files.disk import DiskError
 from vpr_bench.method.build import BuiltMethod
-from vpr_bench.method.interfaces import Method, Persistent
+from vpr_bench.method.interfaces import Method, Persistent, frames_ahead, is_sequential
 from vpr_bench.progress import track
 from vpr_bench.runner.answers import AnswerTable
+from vpr_bench.runner.asking import Questioner, query_order
 from vpr_bench.runner.machine import describe_machine
 from vpr_bench.runner.record import RunKey, RunRecord
 from vpr_bench.runner.resources import PeakMemory, limit_threads
 from vpr_bench.runner.store import LABELS, MATCHES, RECORD, TIMINGS, StoreWarning
-from vpr_bench.timing import collect_stages
-from vpr_bench.types.match import Match
 
-_WARM_UP = 3  # answers that are not recorded, before the first that is
 _CHECKPOINT_SECONDS = 10.0
 _FIT, _FITTED, _ANSWERS = "fit", "fit.json", "answers.npz"
 
 
-def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path) -> None:
+def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path, timeout: float | None = None) -> None:
     """Do a run, or the rest of it, in the folder ``work``: what is complete in the end is moved away by the caller.
+
+    A sequential method that was interrupted is asked from the first query again: what it knew of the ones before
+    is gone. What it had learnt of the map is not.
 
     Raises
     ------
     DataError
         If an image cannot be decoded.
     VprBenchError
-        If the method raises or answers nonsense; names the query.
+        If the method raises, answers nonsense or takes longer than ``timeout`` seconds; names the query.
     """
     work.mkdir(exist_ok=True)
-    table = _resume(work / _ANSWERS, key.k)
+    sequential = is_sequential(built.method)
+    table = AnswerTable(key.k) if sequential else _resume(work / _ANSWERS, key.k)
     resumed = bool(table.matches) or (work / _FITTED).exists()
     with limit_threads(key.threads):
         method, fit_seconds, fit_peak = _fitted(case, built, work)
     with limit_threads(key.threads), PeakMemory() as memory:  # again: fitting may have loaded further libraries
-        _ask(case, method, built, key, table, work / _ANSWERS)
+        order = query_order(len(case.queries), key, sequential=sequential)
+        open_queries = [query for query in order if query not in table.matches]
+        if open_queries:
+            _ask(Questioner(case, built, method, table, timeout), key, open_queries, work / _ANSWERS)
     write_arrays(work / MATCHES, table.match_arrays())
     write_arrays(work / TIMINGS, table.timing_arrays())
     write_arrays(work / LABELS, case.places.arrays())
@@ -58,6 +61,9 @@ def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path) -> None:
         n_queries=len(table.matches),
         partial=key.limit is not None,
         resumed=resumed,
+        order="sequential" if sequential else "shuffled",
+        future=frames_ahead(method),
+        timeout=timeout,
         fit_seconds=fit_seconds,
         peak_memory={"fit": fit_peak, "match": memory.bytes},
         machine=describe_machine(key.threads),
@@ -100,6 +106,8 @@ def _fitted(case: Case, built: BuiltMethod, work: Path) -> tuple[Method, float, 
         with blaming(f"The method {built.id!r} failed while saving its map to {folder}"):
             try:
                 method.save(folder)
+            except NotImplementedError:  # a wrapper around a method that is not persistent
+                return method, seconds, memory.bytes
             except OSError as error:  # NumPy's has no errno when the disk is full
                 raise DiskError(
                     f"Cannot write {folder}: {one_line(error)}. Free some space, or choose another --output."
@@ -108,47 +116,16 @@ def _fitted(case: Case, built: BuiltMethod, work: Path) -> tuple[Method, float, 
     return method, seconds, memory.bytes
 
 
-def _ask(case: Case, method: Method, built: BuiltMethod, key: RunKey, table: AnswerTable, checkpoint: Path) -> None:
-    order = np.random.default_rng(key.seed).permutation(len(case.queries))[: key.limit]
-    open_queries = [int(query) for query in order if int(query) not in table.matches]
-    if open_queries:
-        # A reference, not a query: a method that adapts to what it is shown must not see one twice.
-        warm_up = case.references[0]
-        with blaming(f"The method {built.id!r} failed while warming up"):
-            for _ in range(_WARM_UP):
-                method.match(warm_up, key.k)
+def _ask(questioner: Questioner, key: RunKey, open_queries: list[int], checkpoint: Path) -> None:
+    case, built, table = questioner.case, questioner.built, questioner.table
     saved = time.monotonic()
-    try:
-        for query in track(open_queries, f"{built.label} on {case.protocol}"):
-            _answer(case, method, built, query, table)
-            if time.monotonic() - saved > _CHECKPOINT_SECONDS:
+    with questioner.ready(key.threads):
+        try:
+            for query in track(open_queries, f"{built.label} on {case.protocol}"):
+                questioner.ask(query)
+                if time.monotonic() - saved > _CHECKPOINT_SECONDS:
+                    table.save(checkpoint)
+                    saved = time.monotonic()
+        finally:
+            if table.matches:
                 table.save(checkpoint)
-                saved = time.monotonic()
-    finally:
-        if table.matches:
-            table.save(checkpoint)
-
-
-def _answer(case: Case, method: Method, built: BuiltMethod, query: int, table: AnswerTable) -> None:
-    start = time.perf_counter()
-    image = case.queries[query]
-    decoded = time.perf_counter()
-    doing = f"The method {built.id!r} failed while answering {case.queries.name_of(query)}"
-    with collect_stages() as seconds, blaming(doing):
-        match = method.match(image, table.k)
-    total = time.perf_counter() - decoded
-    _check(match, built.id, case, query, table.k)
-    table.add(query, match, {**seconds, "decode": decoded - start, "total": total})
-
-
-def _check(match: Match, method: str, case: Case, query: int, k: int) -> None:
-    """Refuse an answer that is none; :class:`Match` has checked the rest."""
-    fault = None
-    if not isinstance(match, Match):
-        fault = f"a {type(match).__name__} instead of a Match"
-    elif len(match) > k:
-        fault = f"{len(match)} references where {k} were asked for"
-    elif match.indices.max(initial=-1) >= len(case.references):
-        fault = f"reference {match.indices.max()} of a map of {len(case.references)}"
-    if fault:
-        raise VprBenchError(f"The method {method!r} answered {case.queries.name_of(query)} with {fault}.")

@@ -1,5 +1,8 @@
 """Reading weights that nobody vouches for: tensors by name, and nothing is run."""
 
+import pickle
+import re
+import warnings
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -59,7 +62,9 @@ def _read_torch(path: Path, start: bytes) -> object:
 
     if start.startswith(b"PK"):
         _check_sizes(path)
-    return torch.load(path, map_location="cpu", weights_only=True)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of versions of pickle; a file that cannot be read is an error anyway
+        return torch.load(path, map_location="cpu", weights_only=True)
 
 
 def _check_sizes(path: Path) -> None:
@@ -75,20 +80,16 @@ def _check_sizes(path: Path) -> None:
 def _explain(path: Path, start: bytes, error: Exception) -> str:
     if start.lstrip()[:1] == b"<":
         return f"{path} is a web page and no checkpoint. Check the address that it came from."
-    reason = one_line(error)
-    if "weights_only" in reason.lower() or "Unsupported" in reason:
-        return (
-            f"{path} is refused: it is not only weights, or damaged ({_cause(str(error))}). Nothing of it was run; "
-            "get it from its publisher, or have it saved as safetensors."
+    if isinstance(error, pickle.UnpicklingError):
+        asked = re.search(r"GLOBAL ([\w.]+)", str(error))  # the rest is torch's advice on how to load it all the same
+        why = (
+            f"its pickle asks for {asked[1]:.100}" if asked else "its pickle asks for more than tensors, or is damaged"
         )
-    return f"{path} is damaged or no checkpoint ({type(error).__name__}: {reason:.200}). Get it again."
-
-
-def _cause(message: str) -> str:
-    """Pick the line that says what is wrong out of torch's advice on how to load it all the same."""
-    lines = [one_line(line) for line in message.splitlines()]
-    named = next((line for line in lines if "WeightsUnpickler error:" in line), lines[0])
-    return f"{named.partition('WeightsUnpickler error:')[2].strip() or named:.160}"
+        return (
+            f"{path} is refused: {why}. Nothing of it was run; get it from its publisher, "
+            "or have it saved as safetensors."
+        )
+    return f"{path} is damaged or no checkpoint ({type(error).__name__}: {one_line(error):.200}). Get it again."
 
 
 def _unwrapped(loaded: object) -> object:
@@ -125,5 +126,6 @@ def _is_plain(value: Any) -> bool:
     return (
         isinstance(value, Tensor)
         and value.device.type == "cpu"
-        and not (value.is_sparse or value.is_quantized or value.is_nested or value.layout.__str__() != "torch.strided")
+        and str(value.layout) == "torch.strided"
+        and not (value.is_quantized or value.is_nested)
     )

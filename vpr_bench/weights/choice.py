@@ -102,9 +102,8 @@ def choose_weights(architecture: str, asked: str, seed: int = 0) -> WeightsChoic
     path = Path(asked).expanduser()
     if path.suffix or path.parent != Path() or path.is_file():
         return WeightsChoice(architecture, file=path)
-    raise UsageError(
-        f"There are no weights {asked!r} of {architecture}. {closest(asked, [*known, RANDOM])} A file is given by its path."
-    )
+    near = closest(asked, [*known, RANDOM])
+    raise UsageError(f"There are no weights {asked!r} of {architecture}. {near} A file is given by its path.")
 
 
 def _existing(file: Path) -> Path:

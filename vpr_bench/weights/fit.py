@@ -76,9 +76,7 @@ def compare(module: nn.Module, state: Mapping[str, Tensor], *, allow_head: str |
         loaded=tuple(key for key in own if key in state and key not in differing and key not in heads),
         missing=tuple(key for key in missing if key not in heads),
         unexpected=tuple(key for key in unexpected if key not in heads),
-        reshaped=tuple(
-            f"{key}: {_shape(state[key])} for {_shape(own[key])}" for key in differing if key not in heads
-        ),
+        reshaped=tuple(f"{key}: {_shape(state[key])} for {_shape(own[key])}" for key in differing if key not in heads),
         dropped=tuple(heads),
     )
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from vpr_bench.dataset.folders import folder_named_by
 from vpr_bench.errors import DataError
-from vpr_bench.registry import import_object
+from vpr_bench.importing import import_object
 from vpr_bench.weights.card import WeightsCard, find_weights_card
 
 WEIGHTS_VARIABLE = "VPR_BENCH_WEIGHTS"

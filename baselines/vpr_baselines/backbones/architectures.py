@@ -56,9 +56,7 @@ ARCHITECTURES: dict[Backbone, Architecture] = {
             (_LITE0_STD, _LITE0_STD, _LITE0_STD),
         ),
         Architecture("resnet18", partial(resnet18.ResNet18, 1), "fc", resnet18.MEAN, resnet18.STD),
-        Architecture(
-            "alexnet", partial(alexnet.AlexNet, 1, depth="pool5"), "classifier", alexnet.MEAN, alexnet.STD
-        ),
+        Architecture("alexnet", partial(alexnet.AlexNet, 1, depth="pool5"), "classifier", alexnet.MEAN, alexnet.STD),
     )
 }
 """The trunks: each has ``features``, from (B, 3, H, W) images to its last map."""

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from pydantic import Field
 from safetensors.numpy import load_file, save_file
 
-from vpr_baselines.backbones.pooling import gem
 from vpr_baselines.backbones.architectures import Backbone
+from vpr_baselines.backbones.pooling import gem
 from vpr_baselines.backbones.trunk import Trunk, load_trunk
 from vpr_baselines.hog import Hog
 from vpr_baselines.photometry import resized
@@ -27,7 +27,7 @@ from vpr_bench.weights.choice import choose_weights
 
 AtLeastOne = Annotated[int, Field(ge=1)]
 
-_CLUSTERING_HOG = Hog(size=224, cell=8)
+_CLUSTERING_HOG = Hog(width=224, height=224, cell=8)
 _CLUSTER_SIZE = 12  # chosen on day_left-day_right and the simulated walk, where 5 to 25 hardly differ
 _MAP_FILE = "map.safetensors"
 

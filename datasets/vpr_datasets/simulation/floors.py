@@ -126,6 +126,35 @@ def _footpath(canvas: Canvas, dice: Dice) -> None:
     canvas.speckle(dice, 12)
 
 
+def _nothing(canvas: Canvas, dice: Dice) -> None:
+    """Leave a hole: what is below shows."""
+
+
+def _patched(canvas: Canvas, dice: Dice) -> None:
+    """Mend asphalt with darker patches, and let it crack."""
+    canvas.speckle(dice, 16, 2.0)
+    for _ in range(7):
+        share = 200 + dice.below(36)
+        area = canvas.area(dice.between(0, 13), dice.between(0, 14), dice.between(0.8, 4.0), dice.between(0.5, 1.6))
+        canvas.rgb[area] = (canvas.rgb[area].astype(np.uint16) * np.uint16(share) >> 8).astype(np.uint8)
+    for _ in range(9):
+        x, y = dice.between(0, TILE), dice.between(0, TILE)
+        for _ in range(5):
+            left, low = x + dice.between(-0.5, 1.2), y + dice.between(-0.5, 0.5)
+            canvas.line(x, y, left, low, 0.05, _shaded(canvas, 190))
+            x, y = left, low
+    canvas.speckle(dice, 18)
+
+
+def _dashes(long: float, period: float) -> Callable[[Canvas, Dice], None]:
+    def paint(canvas: Canvas, dice: Dice) -> None:
+        for number in range(int(TILE / period)):
+            canvas.rect(number * period, 0, long, TILE, (226, 226, 220))
+        canvas.speckle(dice, 20)
+
+    return paint
+
+
 MATERIALS: dict[str, tuple[Colour, Callable[[Canvas, Dice], None]]] = {
     "asphalt": ((98, 98, 100), _loose(22, 2.0)),
     "concrete": ((176, 172, 162), _stones(2.0, 2.0, 10, 40)),
@@ -146,6 +175,20 @@ MATERIALS: dict[str, tuple[Colour, Callable[[Canvas, Dice], None]]] = {
     "rubble": ((126, 120, 112), _loose(40, 0.7)),
     "road": ((138, 137, 136), _lanes),
     "verge": (GRASS["summer"], _footpath),
+    "void": ((0, 0, 0), _nothing),
+    "tarmac": ((116, 116, 118), _patched),
+    "line": ((226, 226, 220), _loose(20, 0.3)),
+    "dash": ((116, 116, 118), _dashes(3.2, 8.0)),
+    "short dash": ((116, 116, 118), _dashes(0.5, 1.0)),
+    "kerbstone": ((168, 164, 158), _stones(4.0, 1.0, 20, 60)),
+    "gutter": ((96, 94, 92), _stones(0.17, 0.25, 30, 40)),
+    "mosaic": ((150, 148, 144), _stones(0.17, 0.17, 50, 40)),
+    "plates": ((178, 174, 166), _stones(1.0, 0.8, 26, 46)),
+    "cycle path": ((164, 108, 92), _stones(0.25, 0.25, 22, 26)),
+    "soil": ((120, 104, 84), _loose(40, 0.4)),
+    "clinker": ((140, 96, 80), _stones(0.17, 0.34, 44, 36)),
+    "setts": ((116, 110, 106), _stones(0.25, 0.34, 50, 44)),
+    "quay": ((166, 160, 150), _stones(4.0, 1.4, 22, 60)),
 }
 """Colour and pattern of every material."""
 

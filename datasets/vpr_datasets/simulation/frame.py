@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vpr_datasets.simulation.air import snowfall, veil
+from vpr_datasets.simulation.archive import aged
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.raster import Buffers, draw_sky, draw_slab, draw_walls
 from vpr_datasets.simulation.scene import Scene, build_scene
@@ -39,15 +40,16 @@ def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint
     dice = Dice(spec.seed, traverse.seed, traverse.name, "sensor", index)
     place = place_at(spec, traverse, index)
     if any(start <= place < stop for start, stop in scene.tunnels):
-        return develop(np.zeros((spec.height, spec.width, 3), dtype=np.uint16), traverse, dice)
+        return develop(np.zeros((*scene.jitter.shape[1:], 3), dtype=np.uint16), traverse, dice)
     setting = SCENES[spec.scene].SETTING
     view = view_at(spec, traverse, scene.course, index)
     buffers = Buffers.empty(scene.jitter)
-    draw_walls(buffers, view, _passers(scene, traverse.start, spec.step_of(traverse), index), setting.reach)
+    passers = _passers(scene, traverse.start, spec.step_of(traverse), index)
+    draw_walls(buffers, view, Walls.of(passers.walls), setting.reach)
     draw_walls(buffers, view, scene.walls, setting.reach)
     for ground in scene.grounds:
         draw_slab(buffers, view, ground, setting.reach)
-    for slab in _slabs_near(scene, view, setting.slab_reach):
+    for slab in _slabs_near(scene.slabs + passers.slabs, view, setting.slab_reach):
         draw_slab(buffers, view, slab, setting.slab_reach)
     draw_sky(buffers, view, scene.sky, RISE)
     light = illuminate(buffers, view, scene.grid, traverse.light)
@@ -55,13 +57,16 @@ def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint
         light = veil(light, buffers, traverse.haze)
     if traverse.snowfall:
         light = snowfall(light, Dice(spec.seed, traverse.seed, traverse.name, "snowfall", index), traverse.snowfall)
-    return develop(light, traverse, dice)
+    image = develop(light, traverse, dice)
+    if traverse.epoch == "archive":
+        return aged(image, Dice(spec.seed, traverse.seed, traverse.name, "print", index))
+    return image
 
 
-def _slabs_near(scene: Scene, view: View, reach: float) -> list[Slab]:
+def _slabs_near(slabs: list[Slab], view: View, reach: float) -> list[Slab]:
     """Return the level pieces ahead that are large enough to be seen."""
     near = []
-    for slab in scene.slabs:
+    for slab in slabs:
         x, y = slab.corner[0] - view.x, slab.corner[1] - view.y
         deep = x * view.forward[0] + y * view.forward[1]
         size = slab.length + slab.width
@@ -70,11 +75,15 @@ def _slabs_near(scene: Scene, view: View, reach: float) -> list[Slab]:
     return near
 
 
-def _passers(scene: Scene, start: float, step: float, index: int) -> Walls:
-    """Return the people on the way as they stand in one frame."""
+def _passers(scene: Scene, start: float, step: float, index: int) -> Stage:
+    """Put up who is on the way, as they stand in one frame."""
     stage = Stage(scene.course)
     for mover in scene.movers:
         s = start + mover.meeting * step + (index - mover.meeting) * mover.pace
-        if -2.0 < s - start - index * step < 60.0:
+        ahead = s - start - index * step
+        if mover.put is not None:
+            if -mover.width < ahead < 150.0:
+                mover.put(stage, s, mover.lateral)
+        elif -2.0 < ahead < 60.0:
             stage.cutout(s, mover.lateral, mover.width, mover.height, mover.texture)
-    return Walls.of(stage.walls)
+    return stage

@@ -8,9 +8,9 @@ from vpr_datasets.simulation.ground import paint_grounds
 from vpr_datasets.simulation.lighting import SUN, Grid, light_grid
 from vpr_datasets.simulation.path import Course, lay_course
 from vpr_datasets.simulation.raster import Singles, jitter_pattern
-from vpr_datasets.simulation.scenes import SCENES
+from vpr_datasets.simulation.scenes import SCENES, landscape
 from vpr_datasets.simulation.sky import paint_sky
-from vpr_datasets.simulation.spec import Season, SimulationSpec
+from vpr_datasets.simulation.spec import Epoch, Season, SimulationSpec
 from vpr_datasets.simulation.stage import Mover, Slab, Stage, Walls
 from vpr_datasets.simulation.texture import Texture
 
@@ -45,9 +45,11 @@ def _course(scene: str, seed: int, length: float, curvature: float) -> Course:
 
 
 @lru_cache(maxsize=4)
-def _place(scene: str, seed: int, season: Season, length: float, curvature: float) -> tuple[Stage, list[Slab]]:
+def _place(
+    scene: str, epoch: Epoch, seed: int, season: Season, length: float, curvature: float
+) -> tuple[Stage, list[Slab]]:
     course = _course(scene, seed, length, curvature)
-    stage = SCENES[scene].lay_out(seed, season, course, length)
+    stage = landscape(scene, epoch).lay_out(seed, season, course, length)
     return stage, paint_grounds(seed, season, course, stage.floors[::-1], SCENES[scene].SETTING)
 
 
@@ -57,10 +59,11 @@ def build_scene(spec: SimulationSpec, name: str) -> Scene:
     traverse = spec.traverse(name)
     length = spec.length
     setting = SCENES[spec.scene].SETTING
-    stage, grounds = _place(spec.scene, spec.seed, traverse.season, length, spec.curvature)
+    stage, grounds = _place(spec.scene, traverse.epoch, spec.seed, traverse.season, length, spec.curvature)
     dice = Dice(spec.seed, traverse.seed, traverse.name, "traffic")
     parked = Stage(stage.course)
-    SCENES[spec.scene].park(parked, dice, traverse, length)
+    land = landscape(spec.scene, traverse.epoch)
+    land.park(parked, dice, traverse, length)
     return Scene(
         stage.course,
         Walls.of(stage.walls + parked.walls),
@@ -69,6 +72,6 @@ def build_scene(spec: SimulationSpec, name: str) -> Scene:
         stage.tunnels,
         paint_sky(spec.seed, traverse.seed, traverse.light, setting, traverse.season),
         light_grid(traverse.light, stage.course, stage.shades, stage.lamps, traverse.sun or SUN),
-        SCENES[spec.scene].send_out(dice, traverse, spec.frames_of(traverse)),
-        jitter_pattern(spec.height, spec.width),
+        land.send_out(dice, traverse, spec.frames_of(traverse)),
+        jitter_pattern(*spec.size_of(traverse)[::-1]),
     )

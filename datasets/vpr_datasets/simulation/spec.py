@@ -2,13 +2,23 @@
 
 from typing import Annotated, Literal, Self
 
-from pydantic import BaseModel, ConfigDict, Field, field_validator, model_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 from vpr_datasets.simulation.mosaic import Bayer
 
 Light = Literal["day", "overcast", "dusk", "night"]
 Season = Literal["spring", "summer", "autumn", "winter"]
+Epoch = Literal["today", "archive"]
 Shift = Annotated[float, Field(ge=-6, le=6, allow_inf_nan=False)]
+
+
+def _even(value: int) -> int:
+    if value % 2:
+        raise ValueError(f"must be even, got {value}")
+    return value
+
+
+Pixels = Annotated[int, Field(ge=36, le=1920), AfterValidator(_even)]
 
 
 class TraverseSpec(BaseModel):
@@ -46,6 +56,17 @@ class TraverseSpec(BaseModel):
         Share of the spots for people, bicycles and cars that are taken, from 0 to 1.
     noise
         Strength of the sensor's noise relative to what is usual under this light.
+    stray
+        How far the camera is set up from its nominal place, in metres at random, frame by frame.
+    turn
+        How far it turns aside at random, frame by frame, as a tangent.
+    width, height
+        Size of its images in pixels; by default the simulation's.
+    focal_length
+        In widths of its images; by default the simulation's.
+    epoch
+        ``archive`` is a photograph of long ago, grey and worn: part of the houses are others, and what belongs to
+        today is missing; only scenes that know an earlier time differ.
     frames
         Images of this traverse; by default as many as the simulation says.
     start
@@ -65,13 +86,19 @@ class TraverseSpec(BaseModel):
     haze: Annotated[float, Field(ge=5, le=10000, allow_inf_nan=False)] | None = None
     snowfall: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 0.0
     sun: tuple[Shift, Shift] | None = None
-    lateral: Annotated[float, Field(ge=-8, le=8, allow_inf_nan=False)] = 0.0
+    lateral: Annotated[float, Field(ge=-12, le=12, allow_inf_nan=False)] = 0.0
     eye_height: Annotated[float, Field(ge=0.5, le=4.5, allow_inf_nan=False)] = 1.6
     tilt: Annotated[float, Field(ge=-0.3, le=0.3, allow_inf_nan=False)] = 0.0
     pace_variation: Annotated[float, Field(ge=0, le=5, allow_inf_nan=False)] = 0.5
     shake: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 1.0
     traffic: Annotated[float, Field(ge=0, le=1)] = 0.5
     noise: Annotated[float, Field(ge=0, le=3, allow_inf_nan=False)] = 1.0
+    stray: Annotated[float, Field(ge=0, le=5, allow_inf_nan=False)] = 0.0
+    turn: Annotated[float, Field(ge=0, le=0.6, allow_inf_nan=False)] = 0.0
+    width: Pixels | None = None
+    height: Pixels | None = None
+    focal_length: Annotated[float, Field(ge=0.3, le=3, allow_inf_nan=False)] | None = None
+    epoch: Epoch = "today"
     frames: Annotated[int, Field(ge=1, le=1000)] | None = None
     start: Annotated[float, Field(ge=0, allow_inf_nan=False)] = 0.0
     step: Annotated[float, Field(gt=0, le=50, allow_inf_nan=False)] | None = None
@@ -97,6 +124,8 @@ class SimulationSpec(BaseModel):
         Greatest slope of the path against its overall direction (0 is straight, 0.5 winds by 27 degrees).
     focal_length
         Focal length in image widths; 0.85 sees 61 degrees across, as a telephone does.
+    gaze
+        Greatest tangent by which cameras look aside of the path; at the same place all traverses look the same way.
     quality
         JPEG quality of the files.
     bayer
@@ -115,23 +144,17 @@ class SimulationSpec(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid")
 
     seed: Annotated[int, Field(ge=0)]
-    scene: Literal["campus", "railway", "suburb"] = "campus"
+    scene: Literal["campus", "railway", "suburb", "street", "boulevard", "motorway", "oldtown"] = "campus"
     frames: Annotated[int, Field(ge=1, le=1000)] = 200
-    width: Annotated[int, Field(ge=64, le=1920)] = 640
-    height: Annotated[int, Field(ge=36, le=1080)] = 360
+    width: Pixels = 640
+    height: Pixels = 360
     step: Annotated[float, Field(gt=0, le=50, allow_inf_nan=False)] = 1.0
     curvature: Annotated[float, Field(ge=0, le=0.6, allow_inf_nan=False)] = 0.35
     focal_length: Annotated[float, Field(ge=0.3, le=3, allow_inf_nan=False)] = 0.85
+    gaze: Annotated[float, Field(ge=0, le=2, allow_inf_nan=False)] = 0.0
     quality: Annotated[int, Field(ge=50, le=100)] = 90
     bayer: Bayer | None = None
     traverses: Annotated[tuple[TraverseSpec, ...], Field(min_length=1)]
-
-    @field_validator("width", "height")
-    @classmethod
-    def _even(cls, value: int) -> int:
-        if value % 2:
-            raise ValueError(f"must be even, got {value}")
-        return value
 
     @model_validator(mode="after")
     def _distinct(self) -> Self:
@@ -147,6 +170,15 @@ class SimulationSpec(BaseModel):
     def step_of(self, traverse: TraverseSpec) -> float:
         """Return the distance between neighbouring images of a traverse, in metres."""
         return self.step if traverse.step is None else traverse.step
+
+    def size_of(self, traverse: TraverseSpec) -> tuple[int, int]:
+        """Return the width and height of the images of a traverse, in pixels."""
+        return traverse.width or self.width, traverse.height or self.height
+
+    def focal_of(self, traverse: TraverseSpec) -> float:
+        """Return the focal length of a traverse, in pixels."""
+        widths = self.focal_length if traverse.focal_length is None else traverse.focal_length
+        return widths * self.size_of(traverse)[0]
 
     @property
     def length(self) -> float:

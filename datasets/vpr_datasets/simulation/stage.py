@@ -1,5 +1,6 @@
 """The pieces a scene is made of: upright walls, level slabs, lamps and what casts shadows."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from math import sqrt
 from typing import Literal
@@ -64,10 +65,20 @@ class Lamp:
 
 
 @dataclass(frozen=True)
+class Band:
+    """A strip of the ground along the path, from ``right`` to ``left`` metres to the left of its middle."""
+
+    right: float
+    left: float
+    material: str
+
+
+@dataclass(frozen=True)
 class Floor:
     """What the ground is made of from ``start`` to ``stop`` metres along the path.
 
-    ``half`` is half the width of the path in metres; materials are names known to the ground's painter.
+    ``half`` is half the width of the path in metres; materials are names known to the ground's painter. Bands lie
+    on top of these, a later one on top of an earlier one.
     """
 
     start: float
@@ -76,6 +87,7 @@ class Floor:
     middle: str
     left: str
     right: str
+    bands: tuple[Band, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -83,7 +95,8 @@ class Mover:
     """Somebody on the way.
 
     ``meeting`` is the frame at which the camera comes by, ``pace`` the metres along the path per frame,
-    ``lateral`` the metres to the left of its middle.
+    ``lateral`` the metres to the left of its middle. Somebody is a cut-out; what is more solid is put up by ``put``,
+    which is told where (s, t), and ``width`` is then its length.
     """
 
     meeting: float
@@ -92,6 +105,7 @@ class Mover:
     width: float
     height: float
     texture: Texture
+    put: "Callable[[Stage, float, float], None] | None" = None
 
 
 @dataclass

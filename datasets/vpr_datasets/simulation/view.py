@@ -70,15 +70,22 @@ def view_at(spec: SimulationSpec, traverse: TraverseSpec, course: Course, index:
     jitter = Dice(*key, "jitter", index)
     s = place_at(spec, traverse, index)
     t = traverse.lateral + 0.3 * shake * _wander((*key, "sway"), index, 7)
+    aim = 0.0
+    if spec.gaze:
+        aim += spec.gaze * Dice(spec.seed, "gaze", index).between(-1, 1)
+    if traverse.stray or traverse.turn:
+        free = Dice(*key, "stray", index)
+        s, t = s + traverse.stray * free.between(-1, 1), t + traverse.stray * free.between(-1, 1)
+        aim += traverse.turn * free.between(-1, 1)
     x, y = course.point(s, t)
     ahead, side = course.tangent(s + 2.5)
-    yaw = shake * (0.07 * _wander((*key, "yaw"), index, 6) + jitter.between(-0.012, 0.012))
+    yaw = aim + shake * (0.07 * _wander((*key, "yaw"), index, 6) + jitter.between(-0.012, 0.012))
     ahead, side = ahead - yaw * side, side + yaw * ahead
     norm = sqrt(ahead * ahead + side * side)
     pitch = traverse.tilt + shake * (0.045 * _wander((*key, "pitch"), index, 8) + jitter.between(-0.01, 0.01))
     roll = shake * (0.012 * _wander((*key, "roll"), index, 5) + jitter.between(-0.006, 0.006))
-    focal = spec.focal_length * spec.width
-    slope: NDArray[np.float64] = (np.arange(spec.width, dtype=np.float64) + 0.5 - spec.width / 2) / focal
-    horizon: NDArray[np.float64] = (0.52 * spec.height + pitch * focal) + slope * (roll * focal)
+    (width, height), focal = spec.size_of(traverse), spec.focal_of(traverse)
+    slope: NDArray[np.float64] = (np.arange(width, dtype=np.float64) + 0.5 - width / 2) / focal
+    horizon: NDArray[np.float64] = (0.52 * height + pitch * focal) + slope * (roll * focal)
     eye = traverse.eye_height + 0.03 * shake * jitter.between(-1, 1)
-    return View(x, y, eye, (ahead / norm, side / norm), focal, spec.width, spec.height, slope, horizon)
+    return View(x, y, eye, (ahead / norm, side / norm), focal, width, height, slope, horizon)

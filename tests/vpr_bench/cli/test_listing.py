@@ -20,7 +20,7 @@ def test_list_json(vpr_bench):
     ("name", "said"),
     [
         ("gardens", "gardens/day_left-night_right@2f"),
-        ("hog", "parameter: size · default: 512"),
+        ("hog", "parameter: width · default: 512"),
         ("pr_auc", "area under precision-recall"),
     ],
 )

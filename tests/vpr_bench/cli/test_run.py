@@ -9,14 +9,14 @@ from pathlib import Path
 
 import pytest
 
-TINY = ("run", "--method", "hog", "--param", "size=32", "--param", "cell=8", "--dataset", "tiny")
+TINY = ("run", "--method", "hog", "--param", "width=32", "--param", "height=32", "--param", "cell=8", "--dataset", "tiny")
 
 
 def test_prints_one_row_and_stores_the_run(vpr_bench, tiny_dataset):
     done = vpr_bench(*TINY)
     assert done.code == 0, done.err
     assert "tiny/day_left-day_right@1f" in done.out
-    assert "hog(size=32, cell=8)" in done.out
+    assert "hog(width=32, height=32, cell=8)" in done.out
     assert "real images in" in done.err
     folder = next(Path("runs").rglob("run.json")).parent
     assert {file.name for file in folder.iterdir()} == {
@@ -63,10 +63,10 @@ def test_whole_protocol_id(vpr_bench, tiny_dataset):
 
 def test_parameter_of_one_of_several_methods(vpr_bench, tiny_dataset):
     words = ("run", "--method", "hog", "--method", "vpr_baselines.hog:Hog", "--dataset", "tiny")
-    done = vpr_bench(*words, "--param", "size=32", "--param", "cell=8", "--param", "hog.bins=6", "--format", "json")
+    done = vpr_bench(*words, "--param", "width=32", "--param", "height=32", "--param", "cell=8", "--param", "hog.bins=6", "--format", "json")
     assert [row["method"] for row in json.loads(done.out)] == [
-        "hog(size=32, cell=8, bins=6)",
-        "vpr_baselines.hog:Hog(size=32, cell=8)",
+        "hog(width=32, height=32, cell=8, bins=6)",
+        "vpr_baselines.hog:Hog(width=32, height=32, cell=8)",
     ]
 
 
@@ -94,10 +94,10 @@ def test_all_pairs_with_the_whole_ranking(vpr_bench, tiny_dataset):
         (("--method", "hgo"), "Did you mean 'hog'?"),
         (("--dataset", "tinyy"), "Did you mean 'tiny'?"),
         (("--protocol", "day_left-day_rihgt"), "Did you mean 'day_left-day_right'?"),
-        (("--param", "sise=3"), "Did you mean 'size'?"),
-        (("--param", "size=many"), "Got 'many'"),
-        (("--param", "size"), "name=value"),
-        (("--param", "sift.size=3"), "'sift', which is not run"),
+        (("--param", "cel=3"), "Did you mean 'cell'?"),
+        (("--param", "cell=many"), "Got 'many'"),
+        (("--param", "cell"), "name=value"),
+        (("--param", "sift.cell=3"), "'sift', which is not run"),
         (("--radius", "-1"), "Got '-1'"),
         (("--radius", "nan"), "Got 'nan'"),
         (("--radius", "wide"), "Got 'wide'"),

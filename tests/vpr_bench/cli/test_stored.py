@@ -6,7 +6,7 @@ import pytest
 
 from vpr_bench.files.digest import sha256_of_file
 
-TINY = ("run", "--method", "hog", "--param", "size=32", "--param", "cell=8", "--dataset", "tiny")
+TINY = ("run", "--method", "hog", "--param", "width=32", "--param", "height=32", "--param", "cell=8", "--dataset", "tiny")
 
 
 @pytest.fixture
@@ -18,7 +18,7 @@ def folder(vpr_bench, tiny_dataset):
 def test_show_lists_all(vpr_bench, folder):
     done = vpr_bench("show")
     assert done.code == 0
-    assert "hog(size=32, cell=8)" in done.out
+    assert "hog(width=32, height=32, cell=8)" in done.out
 
 
 @pytest.mark.parametrize("name", [lambda folder: str(folder), lambda folder: folder.name[:5]])

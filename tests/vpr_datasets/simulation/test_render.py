@@ -73,15 +73,17 @@ def test_names_numbers_and_kinds_of_files_can_be_chosen(tmp_path: Path) -> None:
 
 
 def test_files_do_not_depend_on_the_number_of_workers(tmp_path: Path) -> None:
-    for workers in (1, 3):
-        render(SPEC, tmp_path / str(workers), workers=workers)
+    small = SimulationSpec.model_validate(SPEC.model_dump() | {"frames": 2, "traverses": [{"name": "day"}]})
+    for workers in (1, 2):
+        render(small, tmp_path / str(workers), workers=workers)
     for path in (tmp_path / "1").rglob("*.jpg"):
-        assert path.read_bytes() == (tmp_path / "3" / path.relative_to(tmp_path / "1")).read_bytes()
+        assert path.read_bytes() == (tmp_path / "2" / path.relative_to(tmp_path / "1")).read_bytes()
 
 
-@pytest.mark.parametrize("bayer", ["RGGB", "GBRG"])
-def test_raw_pictures_have_one_channel_that_can_be_demosaiced(tmp_path: Path, bayer: str) -> None:
-    spec = SimulationSpec.model_validate(SPEC.model_dump() | {"bayer": bayer, "frames": 1})
+def test_raw_pictures_have_one_channel_that_can_be_demosaiced(tmp_path: Path) -> None:
+    bayer = "GBRG"
+    traverse = {"name": "day"}
+    spec = SimulationSpec.model_validate(SPEC.model_dump() | {"bayer": bayer, "frames": 1, "traverses": [traverse]})
     render(spec, tmp_path, files=Files(pattern="{traverse}/{number}.png"), workers=1)
     raw = np.asarray(cv2.imread(str(tmp_path / "day/0.png"), cv2.IMREAD_UNCHANGED))
     image = render_frame(spec, "day", 0)

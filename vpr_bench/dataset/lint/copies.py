@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from vpr_bench.dataset.folders import cache_root
-from vpr_bench.dataset.lint.finding import Finding, counted, listed
+from vpr_bench.dataset.lint.finding import Finding, listed, share
 from vpr_bench.dataset.load import Case
 from vpr_bench.files.digest_cache import sha256_of_files
 from vpr_bench.types.traverse import Traverse
@@ -23,8 +23,10 @@ def find_given_away(case: Case, unreadable: Collection[Path]) -> list[Finding]:
     ]
     if not twins:
         return []
-    total = counted(len(case.queries), "query")
-    message = f"{len(twins):,} of {total} are byte for byte a reference, which gives the answer away: {listed(twins)}"
+    message = (
+        "byte for byte a reference, which gives the answer away: "
+        f"{share(len(twins), len(case.queries), 'query')}: {listed(twins)}"
+    )
     return [Finding("duplicate", "error", case.protocol.pairing, message)]
 
 
@@ -38,7 +40,7 @@ def find_repeated(traverse: Traverse, unreadable: Collection[Path]) -> list[Find
             twins.append(f"{traverse.name_of(index)} is {traverse.name_of(original)}")
     if not twins:
         return []
-    message = f"{len(twins):,} of {counted(len(traverse), 'image')} repeat another byte for byte: {listed(twins)}"
+    message = f"byte for byte an earlier image: {share(len(twins), len(traverse), 'image')}: {listed(twins)}"
     return [Finding("duplicate", "warning", traverse.name, message)]
 
 

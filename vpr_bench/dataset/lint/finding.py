@@ -15,7 +15,7 @@ SEVERITIES: tuple[Severity, ...] = ("error", "warning", "note")
 
 @dataclass(frozen=True)
 class Finding:
-    """What one check found.
+    r"""What one check found.
 
     Attributes
     ----------
@@ -30,7 +30,7 @@ class Finding:
 
     Examples
     --------
-    >>> Finding("dark", "warning", "winter", "0 of 3 frames\\nare dark").as_dict()
+    >>> Finding("dark", "warning", "winter", "0 of 3 frames\nare dark").as_dict()
     {'check': 'dark', 'severity': 'warning', 'where': 'winter', 'message': '0 of 3 frames are dark'}
     """
 
@@ -71,3 +71,14 @@ def counted(number: int, noun: str) -> str:
     """
     plural = f"{noun[:-1]}ies" if noun.endswith("y") else f"{noun}s"
     return f"{number:,} {noun if number == 1 else plural}"
+
+
+def share(number: int, total: int, noun: str) -> str:
+    """Say how many of all there are.
+
+    Examples
+    --------
+    >>> share(1, 1200, "query")
+    '1 of 1,200 queries'
+    """
+    return f"{number:,} of {counted(total, noun)}"

@@ -62,7 +62,7 @@ def inspect_source(source: Source, protocols: Sequence[Protocol] | None = None) 
     """
     chosen = list(source.card.listed_protocols(source.edition) if protocols is None else protocols)
     loaded = load_all(source, chosen)
-    findings = [*loaded.findings, *find_junk(source.card, source.folder, list(loaded.traverses))]
+    findings = [*loaded.findings, *find_junk(source.card, source.folder, loaded.traverses)]
     findings += [*_find_in_pictures(loaded), *_find_in_places(source, loaded)]
     unique = dict.fromkeys(findings)  # two protocols of one pairing share some
     ordered = sorted(unique, key=lambda one: SEVERITIES.index(one.severity))

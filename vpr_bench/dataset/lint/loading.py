@@ -68,16 +68,18 @@ def load_all(source: Source, protocols: Sequence[Protocol]) -> Loaded:
     DataError
         If the dataset's folder is not there and cannot be rendered.
     """
-    loaded, folder = Loaded(), source.folder
+    loaded, card, folder = Loaded(), source.card, source.folder
     names = [part.traverse for one in protocols for side in (one.references, one.queries) for part in parse_parts(side)]
     for name in dict.fromkeys(names):
         with loaded.noting(name):
-            loaded.traverses[name] = load_traverse(source.card, source.card.traverse(name), folder)
+            loaded.traverses[name] = load_traverse(card, card.traverse(name), folder)
             _compare(source, name, loaded)
+    # Loading compares digests too, and records those that it meets first. To look is not to meet.
+    traverses = [one.model_copy(update={"digest": None}) for one in card.traverses]
+    unvouched = card.model_copy(update={"traverses": traverses})
     for protocol in protocols:
-        # Not as foreign images: they are compared above, and only looked at, not met.
         with loaded.noting(str(protocol)), blaming("The ground truth cannot be made", DataError):
-            case = load_from(source.card, protocol, folder)
+            case = load_from(unvouched, protocol, folder)
             _ = case.ground_truth  # kept by the case; from here on it cannot fail
             loaded.cases.append(case)
     return loaded
@@ -85,9 +87,7 @@ def load_all(source: Source, protocols: Sequence[Protocol]) -> Loaded:
 
 def _compare(source: Source, name: str, loaded: Loaded) -> None:
     """Find images that are not the copy that is known."""
-    if not source.foreign:
-        return
-    expected, whose = vouched_digest(source.card.traverse(name), source.name)
+    expected, whose = vouched_digest(source.card.traverse(name), source.name if source.foreign else None)
     if expected is not None and expected != traverse_digest(loaded.traverses[name].traverse):
         loaded.add(
             "another-copy",

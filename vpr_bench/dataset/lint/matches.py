@@ -5,14 +5,14 @@ import re
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_bench.dataset.lint.finding import Finding, Severity, counted, listed
+from vpr_bench.dataset.lint.finding import Finding, Severity, listed, share
 from vpr_bench.dataset.load import Case
 from vpr_bench.types.traverse import Traverse
 
 _FATES = {
-    "exclude": "they are left out of every metric",
-    "miss": "each counts as a miss",
-    "reject": "the right answer to them is a low score",
+    "exclude": "left out of every metric",
+    "miss": "counted as a miss",
+    "reject": "right to be answered with a low score",
 }
 
 
@@ -23,15 +23,15 @@ def find_lonely(case: Case) -> list[Finding]:
     lonely = np.flatnonzero(~truth.has_match)
     if len(lonely):
         message = (
-            f"{len(lonely):,} of {counted(truth.n_queries, 'query')} have no true match: "
-            f"{_names(case.queries, lonely)}; {_FATES[protocol.unmatched]}"
+            f"no true match for {share(len(lonely), truth.n_queries, 'query')}, and {_FATES[protocol.unmatched]}: "
+            f"{_names(case.queries, lonely)}"
         )
         severity: Severity = "warning" if protocol.unmatched == "exclude" else "note"
         findings.append(Finding("query-without-match", severity, str(protocol), message))
     unused = np.setdiff1d(np.arange(truth.n_references), truth.references)
     if len(unused):
         message = (
-            f"{len(unused):,} of {counted(truth.n_references, 'reference')} are right for no query: "
+            f"right for no query: {share(len(unused), truth.n_references, 'reference')}: "
             f"{_names(case.references, unused)}"
         )
         findings.append(Finding("reference-never-matched", "note", str(protocol), message))
@@ -57,7 +57,7 @@ def find_asymmetric(case: Case) -> list[Finding]:
         f"but {case.queries.name_of(references[pair])} has not {case.references.name_of(queries[pair])}"
         for pair in one_way[:2]
     ]
-    message = f"{len(one_way):,} of {counted(len(queries), 'pair')} that are listed hold one way only: "
+    message = f"listed one way only: {share(len(one_way), len(queries), 'pair')}: "
     return [Finding("asymmetric", "warning", f"{case.protocol.pairing}@given", message + "; ".join(pairs))]
 
 

@@ -2,11 +2,12 @@
 
 import re
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_bench.dataset.lint.finding import Finding, counted
+from vpr_bench.dataset.lint.finding import Finding, share
 from vpr_bench.dataset.recording import Recording
 from vpr_bench.types.traverse import Traverse
 
@@ -18,7 +19,7 @@ _DIGITS = 15  # longer ones are no frame numbers, and no int64
 
 
 def frame_numbers(traverse: Traverse) -> NDArray[np.int64] | None:
-    """Return the number in each file name, None where there is none or the names differ in anything else.
+    """Return the number in each file name, None where there is none or the paths differ in anything else.
 
     Examples
     --------
@@ -26,12 +27,16 @@ def frame_numbers(traverse: Traverse) -> NDArray[np.int64] | None:
     >>> frame_numbers(Traverse("walk", [Path("frame-0007.png"), Path("frame-0009.png")])).tolist()
     [7, 9]
     """
-    stems = [traverse.name_of(index).rpartition("/")[2].rpartition(".")[0] for index in range(len(traverse))]
-    found = [_LAST_NUMBER.fullmatch(stem) for stem in stems]
-    read = [(one[1], one[2], one[3]) for one in found if one is not None and len(one[2]) <= _DIGITS]
-    if len(read) < len(stems) or len({(before, after) for before, _, after in read}) != 1:
-        return None
-    return np.array([int(digits) for _, digits, _ in read], dtype=np.int64)
+    patterns, numbers = set(), []
+    for source in traverse.sources:
+        if not isinstance(source, Path):
+            return None
+        found = _LAST_NUMBER.fullmatch(source.stem)
+        if found is None or len(found[2]) > _DIGITS:
+            return None
+        patterns.add((source.parent, found[1], found[3]))  # numbers that start anew in the next folder count nothing
+        numbers.append(int(found[2]))
+    return np.array(numbers, dtype=np.int64) if len(patterns) == 1 else None
 
 
 def find_misordered(recording: Recording) -> list[Finding]:
@@ -58,18 +63,18 @@ def find_misaligned(references: Recording, queries: Recording) -> list[Finding]:
     if not shift.any():
         return []
     where = f"{references.traverse.name}-{queries.traverse.name}"
-    constant = bool((shift == shift[0]).all())  # one was counted from 0 and the other from 1, or lost its first frame
-    first = int(np.flatnonzero(shift if constant else shift - shift[0])[0])
+    constant = bool((shift == shift[0]).all())  # one was counted from 0, the other from 1; or lost its first frame
+    first = int(np.flatnonzero(shift)[0])
     pair = f"{references.traverse.name_of(in_map[first])} and {queries.traverse.name_of(in_asked[first])}"
     if constant:
         message = f"the numbers of all images are {abs(shift[0])} apart from those of the same place: {pair}"
         return [Finding("misaligned-names", "note", where, message)]
     if not (map_.regular or asked.regular):
         return []
+    differing = share(int(np.count_nonzero(shift)), len(shift), "label")
     message = (
-        f"{np.count_nonzero(shift - shift[0]):,} of {counted(len(shift), 'label')} are images of different numbers, "
-        f"from {pair} on; gaps in the numbers: {references.traverse.name} {map_.gaps}, "
-        f"{queries.traverse.name} {asked.gaps}"
+        f"images of one label with different numbers: {differing}, such as {pair}; "
+        f"gaps in the numbers: {references.traverse.name} {map_.gaps}, {queries.traverse.name} {asked.gaps}"
     )
     return [Finding("misaligned-names", "warning", where, message)]
 

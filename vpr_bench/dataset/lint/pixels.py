@@ -1,6 +1,6 @@
 """What is wrong with the pictures of a traverse, from one :func:`~vpr_bench.dataset.lint.survey.survey` of it."""
 
-from vpr_bench.dataset.lint.finding import Finding, counted, listed
+from vpr_bench.dataset.lint.finding import Finding, listed, share
 from vpr_bench.dataset.lint.survey import DARK, Survey
 from vpr_bench.types.traverse import Traverse
 
@@ -15,7 +15,7 @@ def find_undecodable(traverse: Traverse, survey: Survey) -> list[Finding]:
         Finding("does-not-decode", "error", traverse.name_of(index), message) for index, message in faults[:_NAMED]
     ]
     if len(faults) > _NAMED:
-        message = f"{counted(len(faults) - _NAMED, 'more image')} of {len(traverse):,} cannot be decoded either"
+        message = f"{share(len(faults) - _NAMED, len(traverse), 'image')} more cannot be decoded"
         findings.append(Finding("does-not-decode", "error", traverse.name, message))
     return findings
 
@@ -30,19 +30,19 @@ def find_mixed_sizes(traverse: Traverse, survey: Survey) -> list[Finding]:
 
 def find_dark(traverse: Traverse, survey: Survey) -> list[Finding]:
     """Find stretches in which nothing can be seen."""
-    return _find_stretches("dark", f"are black (mean below {DARK:g} of 255)", traverse, survey.dark)
+    return _find_stretches("dark", f"black (mean below {DARK:g} of 255)", traverse, survey.dark)
 
 
 def find_frozen(traverse: Traverse, survey: Survey) -> list[Finding]:
     """Find stretches in which the picture does not change: many frames are then equally right."""
-    return _find_stretches("frozen", "repeat the picture before them", traverse, survey.frozen)
+    return _find_stretches("frozen", "one picture over and over", traverse, survey.frozen)
 
 
 def _find_stretches(check: str, what: str, traverse: Traverse, stretches: list[range]) -> list[Finding]:
     if not stretches:
         return []
     named = [_name(traverse, stretch) for stretch in stretches]
-    message = f"{sum(map(len, stretches)):,} of {counted(len(traverse), 'image')} {what}: {listed(named, _NAMED)}"
+    message = f"{what}: {share(sum(map(len, stretches)), len(traverse), 'image')}: {listed(named, _NAMED)}"
     return [Finding(check, "warning", traverse.name, message)]
 
 

@@ -1,10 +1,15 @@
 """Positions that cannot be: a drive that jumps, a map and queries in different parts of the world."""
 
+from itertools import pairwise
+from pathlib import Path
+
 import numpy as np
+from numpy.typing import NDArray
 
 from vpr_bench.dataset.lint.finding import Finding, counted, listed
 from vpr_bench.dataset.load import Case
 from vpr_bench.dataset.recording import Recording
+from vpr_bench.types.traverse import Traverse
 
 _TIMES = 20
 """A step this many times as long as the median step is a jump …"""
@@ -22,13 +27,14 @@ def find_jumps(recording: Recording) -> list[Finding]:
     if labels is None or len(labels) < 3:
         return []
     steps = np.sqrt((np.diff(labels.reshape(len(labels), -1), axis=0) ** 2).sum(axis=1))
+    steps[_new_folder(traverse)] = 0  # where another drive begins, nobody has driven
     moving = steps[steps > 0]  # a car that waits at the lights must not make all driving a jump
     if len(moving) == 0:
         return []
     jumps = np.flatnonzero(steps > max(_TIMES * float(np.median(moving)), _METRES))
     if len(jumps) == 0 or len(jumps) > max(_DRIVE * len(steps), 2):
         return []
-    named = [f"{traverse.name_of(at)} to {traverse.name_of(at + 1)} ({steps[at]:,.0f} m)" for at in jumps]
+    named = [f"{traverse.name_of(at)} to {traverse.name_of(at + 1)} ({steps[at]:,.0f} m)" for at in jumps.tolist()]
     message = f"{counted(len(jumps), 'jump')}, where the median step is {np.median(moving):.1f} m: {listed(named)}"
     return [Finding("position-jump", "warning", traverse.name, message)]
 
@@ -49,3 +55,9 @@ def find_far_apart(case: Case) -> list[Finding]:
         "a wrong sign, zone or order of the coordinates?"
     )
     return [Finding("far-apart", "error", str(protocol), message)]
+
+
+def _new_folder(traverse: Traverse) -> NDArray[np.bool_]:
+    """(n - 1,) bool: whether the next image lies in another folder."""
+    folders = [source.parent if isinstance(source, Path) else None for source in traverse.sources]
+    return np.array([one != other for one, other in pairwise(folders)])

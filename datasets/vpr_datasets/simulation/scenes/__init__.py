@@ -6,7 +6,7 @@ from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.path import Course
 from vpr_datasets.simulation.scenes import campus, railway, suburb
 from vpr_datasets.simulation.setting import Setting
-from vpr_datasets.simulation.spec import Season, TraverseSpec
+from vpr_datasets.simulation.spec import Epoch, Season, TraverseSpec
 from vpr_datasets.simulation.stage import Mover, Stage
 
 
@@ -28,5 +28,17 @@ class Landscape(Protocol):
         ...
 
 
-SCENES: dict[str, Landscape] = {"campus": campus, "railway": railway, "suburb": suburb}
+SCENES: dict[str, Landscape] = {
+    "campus": campus,
+    "railway": railway,
+    "suburb": suburb,
+}
 """By the name that a specification gives its scene."""
+
+EARLIER: dict[str, Landscape] = {}
+"""How scenes looked when archive photographs were taken, where that differs."""
+
+
+def landscape(scene: str, epoch: Epoch) -> Landscape:
+    """Return the scene as it is, or was, in an epoch."""
+    return EARLIER.get(scene, SCENES[scene]) if epoch == "archive" else SCENES[scene]

@@ -38,7 +38,12 @@ SPEC = SimulationSpec.model_validate(
 )
 
 # Raise SIMULATION_VERSION when these change, as in test_frame.py.
-DIGESTS = {}
+DIGESTS = {
+    ("spring", 3): "cc91ea4cf9d56b049040b5db938f374fd50cb636eac9c9e59180b2d29430ddc0",
+    ("summer", 17): "69015d0d3c578640cd788385e98c3d54f4c001dc9c854db54c263da5d4e1be94",
+    ("autumn", 25): "53217442bf054a0918cf1f4ce7467258df7b1d263e5ae738736d1147cbabee9b",
+    ("winter", 30): "e27722b1c83391f63686ad3566584bab5b7219d9da6794ab2fa7d1b3a4595b26",
+}
 
 
 @cache

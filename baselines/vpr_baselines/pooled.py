@@ -1,0 +1,54 @@
+"""The base of the methods whose descriptor is the pooled last map of a network."""
+
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vpr_baselines.backbones.architectures import Backbone
+from vpr_baselines.backbones.pooling import POOLINGS, Pooling
+from vpr_baselines.backbones.trunk import Normalise, Trunk, load_trunk
+from vpr_baselines.centred import Centred
+from vpr_bench.types.traverse import Traverse
+from vpr_bench.weights.choice import choose_weights
+
+
+class Pooled(Centred):
+    """Describe an image by the pooled last feature map of a frozen network.
+
+    A subclass is a dataclass with the fields below.
+    """
+
+    backbone: ClassVar[Backbone]
+    pooling: Pooling
+    weights: str
+    width: int
+    height: int
+    normalise: Normalise
+    seed: int
+
+    def weights_digest(self) -> str:
+        """Name the weights by training set and SHA-256.
+
+        Raises
+        ------
+        UsageError
+            If ``weights`` means nothing.
+        DataError
+            If they are missing or damaged; says how to get them.
+        """
+        return choose_weights(self.backbone, self.weights, self.seed).identity()
+
+    def fit(self, references: Traverse) -> None:
+        """Describe every reference; the weights are loaded before the first image is."""
+        self._trunk  # noqa: B018
+        super().fit(references)
+
+    def respond(self, image: NDArray[np.uint8]) -> NDArray[np.float32]:
+        """Turn one (H, W, 3) uint8 RGB image into a (D,) float32 descriptor, not centred."""
+        pooled = POOLINGS[self.pooling](self._trunk.encode([image]))
+        return np.asarray(pooled[0])
+
+    @property
+    def _trunk(self) -> Trunk:
+        return load_trunk(self.backbone, self.width, self.height, self.weights, self.normalise, seed=self.seed)

@@ -1,0 +1,1 @@
+"""Wrappers that make a sequence method of any single-image method."""

@@ -1,0 +1,1 @@
+"""SIFT key points: matched one by one, or stacked into one vector."""
