@@ -7,6 +7,8 @@ a score, and the harness turns those answers into numbers that can be compared, 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from vpr_bench.envs.hook import make_ids_known
+
 if TYPE_CHECKING:
     __version__: str
     from vpr_bench.dataset.load import load_case as load_case
@@ -28,6 +30,8 @@ _LAZY = {
 }
 
 __all__ = ["GroundTruth", "Match", "Protocol", "Traverse", "__version__", "load_case", "run", "stage"]
+
+make_ids_known()
 
 
 def __getattr__(name: str) -> Any:

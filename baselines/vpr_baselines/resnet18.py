@@ -19,8 +19,8 @@ class ResNet18(Pooled):
 
     Parameters
     ----------
-    pooling : {"gem", "average", "grid2x3"}
-        How the map becomes a vector: 512 numbers, 3072 for the grid.
+    pooling : {"gem", "average", "grid1x3", "grid2x3"}
+        How the map becomes a vector: 512 numbers, three or six times as many for the grids.
     weights : str
         ``imagenet``, ``places365``, the path of a checkpoint, or ``random``.
     width, height : int
@@ -36,7 +36,7 @@ class ResNet18(Pooled):
     version: ClassVar[str] = "1"
     backbone: ClassVar[Backbone] = "resnet18"
 
-    pooling: Pooling = "gem"
+    pooling: Pooling = "grid1x3"
     weights: str = "imagenet"
     width: Annotated[int, Field(ge=32)] = 416
     height: Annotated[int, Field(ge=32)] = 256

@@ -47,3 +47,16 @@ def streaming(
         raise UsageError(f"A parameter is written name=value. Got {', '.join(param or [])} instead.")
     with progress_bars():
         write(json.dumps(run(dataset, method, parameters, frames, limit), indent=2))
+
+
+@app.command("envs")
+def envs(
+    dataset: Annotated[str, typer.Option(help="Whose queries are asked.")] = "gardens:simulated",
+    num_envs: Annotated[int, typer.Option(min=1, help="Queries per step of the vector environment.")] = 32,
+    episodes: Annotated[int, typer.Option(min=1, help="How often all queries are asked.")] = 5,
+) -> None:
+    """Measure the Gymnasium environments: making one, and a step without its images; print the facts as JSON."""
+    from vpr_bench.bench.envs import run
+
+    with progress_bars():
+        write(json.dumps(run(dataset, num_envs, episodes), indent=2))

@@ -8,7 +8,7 @@ import typer
 from vpr_bench.cli.bars import progress_bars
 from vpr_bench.cli.console import complain, say, write
 from vpr_bench.cli.data_init import INIT_EXAMPLES, init
-from vpr_bench.cli.data_lint import EXAMPLES, lint
+from vpr_bench.cli.data_lint import LINT_EXAMPLES, lint
 from vpr_bench.cli.data_preview import PREVIEW_EXAMPLES, preview
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 app = typer.Typer(help="Find, fetch, describe and check the images of datasets.", no_args_is_help=True)
 app.command("init", epilog=INIT_EXAMPLES)(init)
 app.command("preview", epilog=PREVIEW_EXAMPLES)(preview)
-app.command("lint", epilog=EXAMPLES)(lint)
+app.command("lint", epilog=LINT_EXAMPLES)(lint)
 
 NameArgument = Annotated[str, typer.Argument(help="Dataset id, dataset:edition, or a folder of your own.")]
 

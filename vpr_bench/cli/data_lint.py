@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from vpr_bench.dataset.source import Source
     from vpr_bench.types.protocol import Protocol
 
-EXAMPLES = """[bold]Examples[/bold]
+LINT_EXAMPLES = """[bold]Examples[/bold]
 
 vpr-bench data lint gardens
 

@@ -5,12 +5,14 @@ Gymnasium was imported before or is imported later; in the second case they are 
 """
 
 import sys
-from collections.abc import Sequence
 from contextlib import suppress
-from importlib.abc import Loader
-from importlib.machinery import ModuleSpec
-from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
+
+if TYPE_CHECKING:  # all of these, of which some are not light, are only for annotations
+    from collections.abc import Sequence
+    from importlib.abc import Loader
+    from importlib.machinery import ModuleSpec
+    from types import ModuleType
 
 _GYMNASIUM = "gymnasium"
 
@@ -32,34 +34,36 @@ def _register() -> None:
 class _Watch:
     """Notices the import of Gymnasium; the module is found and loaded as it would be without us."""
 
-    def find_spec(self, name: str, path: Sequence[str] | None, target: ModuleType | None = None) -> ModuleSpec | None:
+    def find_spec(
+        self, name: str, path: "Sequence[str] | None", target: "ModuleType | None" = None
+    ) -> "ModuleSpec | None":
         """Let the other finders find Gymnasium, and have its loader tell us when it is done."""
         if name != _GYMNASIUM:
             return None
-        for finder in sys.meta_path:
-            spec = None if finder is self else finder.find_spec(name, path, target)
+        for finder in [finder for finder in sys.meta_path if finder is not self]:
+            spec = finder.find_spec(name, path, target)
             if spec is not None:
                 if spec.loader is not None:
-                    spec.loader = _ThenRegister(spec.loader, self)
+                    spec.loader = cast("Loader", _ThenRegister(spec.loader, self))
                 return spec
         return None
 
 
-class _ThenRegister(Loader):
+class _ThenRegister:
     """Loads a module with its own loader, and registers the environments when it is complete."""
 
-    def __init__(self, loader: Loader, watch: _Watch) -> None:
+    def __init__(self, loader: "Loader", watch: _Watch) -> None:
         self._loader = loader
         self._watch = watch
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._loader, name)  # for those who only look Gymnasium up
 
-    def create_module(self, spec: ModuleSpec) -> ModuleType | None:
+    def create_module(self, spec: "ModuleSpec") -> "ModuleType | None":
         """Create it as its own loader does."""
         return self._loader.create_module(spec)
 
-    def exec_module(self, module: ModuleType) -> None:
+    def exec_module(self, module: "ModuleType") -> None:
         """Load it; nothing of us is left on the module."""
         module.__loader__ = self._loader
         if module.__spec__ is not None:

@@ -51,7 +51,11 @@ def draw(case: Case, shape: tuple[int, int, int], waiting: int | None, one: Exch
     height = min(_MOST, max(_LEAST, 2 * round(_WIDTH * shape[0] / shape[1] / 2)))  # even, as video encoders want it
     if one is None:
         shown = None if waiting is None else case.queries[waiting]
-        panels = [_Panel("Query", BLUE, shown, ""), _Panel("Answer", GREY, None, "not answered yet"), _Panel("Truth", GREY, None, "")]
+        panels = [
+            _Panel("Query", BLUE, shown, ""),
+            _Panel("Answer", GREY, None, "not answered yet"),
+            _Panel("Truth", GREY, None, ""),
+        ]
     else:
         panels = [_query(case, one), _answer(case, one), _truth(case, one)]
     cell = _WIDTH + 2 * _FRAME

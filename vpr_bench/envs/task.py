@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Literal, Self, get_args
 
 import numpy as np
@@ -34,15 +35,17 @@ class Task:
         How queries follow each other.
     frames : Frames
         The queries as observations.
-    judge : Judge
-        Knows what is right.
     """
 
     case: Case
     k: int
     order: Order
     frames: Frames
-    judge: Judge
+
+    @cached_property
+    def judge(self) -> Judge:
+        """What knows which answers are right; made for the first one, as finding neighbours takes its time."""
+        return Judge(self.case.ground_truth, self.case.protocol.unmatched)
 
     @classmethod
     def load(
@@ -89,8 +92,7 @@ class Task:
             raise UsageError(f"k must lie between 1 and {places}, the number of references. Got {k!r} instead.")
         if size is not None:
             case = replace(case, references=resized(case.references, size), queries=resized(case.queries, size))
-        frames = Frames(case.queries, in_memory=in_memory)
-        return cls(case, int(k), order, frames, Judge(case.ground_truth, case.protocol.unmatched))
+        return cls(case, int(k), order, Frames(case.queries, in_memory=in_memory))
 
     def questions(self, generator: np.random.Generator) -> NDArray[np.int64]:
         """Return the queries of one episode in the order in which they are asked.

@@ -8,8 +8,9 @@ from numpy.typing import NDArray
 
 _SMALLEST = 1e-6
 
-Pooling = Literal["gem", "average", "grid2x3"]
-"""How a map becomes a vector: its generalised mean, its mean, or the generalised means of 2 × 3 parts of it."""
+Pooling = Literal["gem", "average", "grid1x3", "grid2x3"]
+"""How a map becomes a vector: its generalised mean, its mean, or the generalised means of its left, middle and right
+part, whole or cut into an upper and a lower one."""
 
 
 def gem(maps: NDArray[np.float32], power: float = 3.0) -> NDArray[np.float32]:
@@ -67,6 +68,7 @@ def _parts(side: int, count: int) -> list[slice]:
 POOLINGS: dict[Pooling, Callable[[NDArray[np.float32]], NDArray[np.float32]]] = {
     "gem": gem,
     "average": average,
+    "grid1x3": lambda maps: grid(maps, 1, 3),
     "grid2x3": lambda maps: grid(maps, 2, 3),
 }
 """(B, C, H, W) float32 to (B, D) float32, by name."""

@@ -45,7 +45,7 @@ def similarity_row(method: Method, image: NDArray[np.uint8], n_references: int) 
 def contrasted(row: NDArray[np.float32], width: int) -> NDArray[np.float32]:
     """Compare every similarity with its neighbourhood, so that dark and bright stretches of the map count alike.
 
-    The local contrast enhancement of SeqSLAM (Milford and Wyeth, ICRA 2012, eq. 3): minus the local mean, by the
+    The local contrast enhancement of SeqSLAM (Milford and Wyeth, ICRA 2012): minus the local mean, by the
     local standard deviation. To the latter we add the deviation of the whole row: where neighbours look all alike,
     the quotient would be noise, magnified.
 

@@ -11,6 +11,8 @@ from vpr_baselines.photometry import grey, resized
 LENGTH = 128
 """Numbers in one SIFT descriptor."""
 
+_PARAMETERS = {"nOctaveLayers": 3, "contrastThreshold": 0.04, "edgeThreshold": 10, "sigma": 1.6}  # OpenCV's defaults
+
 
 @dataclass(frozen=True)
 class KeyPoints:
@@ -43,7 +45,7 @@ def detect(image: NDArray[np.uint8], size: int, limit: int) -> KeyPoints:
     height, width = image.shape[:2]
     scale = size / max(height, width)
     small = resized(grey(image), max(round(width * scale), 1), max(round(height * scale), 1))
-    sift = cv2.SIFT_create(limit, 3, 0.04, 10, 1.6, cv2.CV_8U)  # all but the first and the last are OpenCV's own
+    sift = cv2.SIFT_create(limit, **_PARAMETERS, descriptorType=cv2.CV_8U)
     points, descriptors = sift.detectAndCompute(small, None)
     if descriptors is None:
         return KeyPoints(np.empty((0, 2), np.float32), np.empty((0, LENGTH), np.uint8))

@@ -88,8 +88,7 @@ class KeyPointMap:
             pairs = self._pairs(image, descriptors, np.flatnonzero(candidates[image]), ratio)
             if pairs.score > 0:
                 found[image] = pairs
-                heapq.heappush(highest, pairs.score)
-                del highest[k:]
+                (heapq.heappush if len(highest) < k else heapq.heappushpop)(highest, pairs.score)
         return found
 
     def _pairs(self, image: int, query: NDArray[np.float32], rows: NDArray[np.int64], ratio: float) -> Pairs:

@@ -68,6 +68,12 @@ def _loose(amount: int, cell: float) -> Callable[[Canvas, Dice], None]:
     return strew
 
 
+def _fine(canvas: Canvas, dice: Dice) -> None:
+    """Set stones too small to be told apart."""
+    canvas.speckle(dice, 26)
+    canvas.speckle(dice, 8, 2.0)
+
+
 def _shaded(canvas: Canvas, share: int) -> Colour:
     """Return ``share / 256`` of the colour in a corner of a canvas."""
     red, green, blue = (int(part) for part in canvas.rgb[0, 0])
@@ -181,10 +187,10 @@ MATERIALS: dict[str, tuple[Colour, Callable[[Canvas, Dice], None]]] = {
     "dash": ((116, 116, 118), _dashes(3.2, 8.0)),
     "short dash": ((116, 116, 118), _dashes(0.5, 1.0)),
     "kerbstone": ((168, 164, 158), _stones(4.0, 1.0, 20, 60)),
-    "gutter": ((96, 94, 92), _stones(0.17, 0.25, 30, 40)),
-    "mosaic": ((150, 148, 144), _stones(0.17, 0.17, 50, 40)),
-    "plates": ((178, 174, 166), _stones(1.0, 0.8, 26, 46)),
-    "cycle path": ((164, 108, 92), _stones(0.25, 0.25, 22, 26)),
+    "gutter": ((108, 106, 104), _stones(0.25, 0.25, 22, 26)),
+    "mosaic": ((146, 144, 140), _fine),
+    "plates": ((174, 170, 163), _stones(1.0, 0.8, 20, 36)),
+    "cycle path": ((152, 116, 106), _fine),
     "soil": ((120, 104, 84), _loose(40, 0.4)),
     "clinker": ((140, 96, 80), _stones(0.17, 0.34, 44, 36)),
     "setts": ((116, 110, 106), _stones(0.25, 0.34, 50, 44)),

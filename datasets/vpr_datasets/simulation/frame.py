@@ -45,8 +45,8 @@ def render_frame(spec: SimulationSpec, name: str, index: int) -> NDArray[np.uint
     view = view_at(spec, traverse, scene.course, index)
     buffers = Buffers.empty(scene.jitter)
     passers = _passers(scene, traverse.start, spec.step_of(traverse), index)
-    draw_walls(buffers, view, Walls.of(passers.walls), setting.reach)
-    draw_walls(buffers, view, scene.walls, setting.reach)
+    draw_walls(buffers, view, Walls.of(passers.walls), setting.reach, setting.least)
+    draw_walls(buffers, view, scene.walls, setting.reach, setting.least)
     for ground in scene.grounds:
         draw_slab(buffers, view, ground, setting.reach)
     for slab in _slabs_near(scene.slabs + passers.slabs, view, setting.slab_reach):

@@ -72,8 +72,8 @@ def _levels(density: Floats) -> NDArray[np.int64]:
     return np.asarray(_STEPS.searchsorted(density), dtype=np.int64)
 
 
-def draw_walls(buffers: Buffers, view: View, walls: Walls, reach: float) -> None:
-    """Draw the walls within ``reach`` metres."""
+def draw_walls(buffers: Buffers, view: View, walls: Walls, reach: float, least: float = 3.5) -> None:
+    """Draw the walls within ``reach`` metres, but those that would be less than ``least`` pixels wide or tall."""
     ahead, side = view.forward
     x, y = walls.x0 - view.x, walls.y0 - view.y
     across0, deep0 = x * side - y * ahead, x * ahead + y * side
@@ -89,10 +89,9 @@ def draw_walls(buffers: Buffers, view: View, walls: Walls, reach: float) -> None
     seen &= ~((across0 < -edge * deep0) & (across1 < -edge * deep1))
     # The front is seen where the camera lies on the right-hand side of the way from left to right.
     seen &= ~(walls.one_sided & (across0 * deep1 >= across1 * deep0))
-    # What would be lower or narrower than a few pixels is left out.
     near = np.maximum(nearest, NEAR)
-    seen &= (walls.high - walls.low) * view.focal > 3.5 * near
-    seen &= (np.abs(across1 - across0) + np.abs(deep1 - deep0)) * view.focal > 3.5 * near
+    seen &= (walls.high - walls.low) * view.focal > least * near
+    seen &= (np.abs(across1 - across0) + np.abs(deep1 - deep0)) * view.focal > least * near
     visible = np.flatnonzero(seen)
     # From near to far: what is hidden is found out before any of its texels is looked up.
     for number in visible[np.argsort(nearest[visible], kind="stable")]:

@@ -29,6 +29,8 @@ class Setting:
         How far it goes on, painted coarsely; 0 where buildings hide it.
     reach, slab_reach
         How far walls and level pieces are drawn.
+    least
+        Walls that would be lower or narrower than so many pixels are not drawn.
     kerb
         Colour of the edge of the path, if it has one.
     skyline
@@ -44,6 +46,7 @@ class Setting:
     land: float = 0.0
     reach: float = 95.0
     slab_reach: float = 45.0
+    least: float = 3.5
     kerb: Colour | None = (172, 168, 160)
     skyline: Skyline = "town"
     snow: Mapping[Season, float] = field(default_factory=dict)

@@ -49,7 +49,7 @@ class View:
         return ahead + self.slope * side, side - self.slope * ahead
 
 
-def _wander(key: tuple[int | str, ...], index: int, period: int) -> float:
+def wander(key: tuple[int | str, ...], index: int, period: int) -> float:
     """Return a value in [-1, 1) that changes smoothly with ``index``."""
     knot = floor(index / period)
     part = index / period - knot
@@ -60,7 +60,7 @@ def _wander(key: tuple[int | str, ...], index: int, period: int) -> float:
 def place_at(spec: SimulationSpec, traverse: TraverseSpec, index: int) -> float:
     """Return how far along the path, in metres, frame ``index`` of a traverse was taken."""
     key = (spec.seed, traverse.seed, traverse.name, "pace")
-    return traverse.start + index * spec.step_of(traverse) + traverse.pace_variation * _wander(key, index, 9)
+    return traverse.start + index * spec.step_of(traverse) + traverse.pace_variation * wander(key, index, 9)
 
 
 def view_at(spec: SimulationSpec, traverse: TraverseSpec, course: Course, index: int) -> View:
@@ -69,7 +69,7 @@ def view_at(spec: SimulationSpec, traverse: TraverseSpec, course: Course, index:
     shake = traverse.shake
     jitter = Dice(*key, "jitter", index)
     s = place_at(spec, traverse, index)
-    t = traverse.lateral + 0.3 * shake * _wander((*key, "sway"), index, 7)
+    t = traverse.lateral + 0.3 * shake * wander((*key, "sway"), index, 7)
     aim = 0.0
     if spec.gaze:
         aim += spec.gaze * Dice(spec.seed, "gaze", index).between(-1, 1)
@@ -79,11 +79,11 @@ def view_at(spec: SimulationSpec, traverse: TraverseSpec, course: Course, index:
         aim += traverse.turn * free.between(-1, 1)
     x, y = course.point(s, t)
     ahead, side = course.tangent(s + 2.5)
-    yaw = aim + shake * (0.07 * _wander((*key, "yaw"), index, 6) + jitter.between(-0.012, 0.012))
+    yaw = aim + shake * (0.07 * wander((*key, "yaw"), index, 6) + jitter.between(-0.012, 0.012))
     ahead, side = ahead - yaw * side, side + yaw * ahead
     norm = sqrt(ahead * ahead + side * side)
-    pitch = traverse.tilt + shake * (0.045 * _wander((*key, "pitch"), index, 8) + jitter.between(-0.01, 0.01))
-    roll = shake * (0.012 * _wander((*key, "roll"), index, 5) + jitter.between(-0.006, 0.006))
+    pitch = traverse.tilt + shake * (0.045 * wander((*key, "pitch"), index, 8) + jitter.between(-0.01, 0.01))
+    roll = shake * (0.012 * wander((*key, "roll"), index, 5) + jitter.between(-0.006, 0.006))
     (width, height), focal = spec.size_of(traverse), spec.focal_of(traverse)
     slope: NDArray[np.float64] = (np.arange(width, dtype=np.float64) + 0.5 - width / 2) / focal
     horizon: NDArray[np.float64] = (0.52 * height + pitch * focal) + slope * (roll * focal)

@@ -1,6 +1,6 @@
 """What is wrong with the pictures of a traverse, from one :func:`~vpr_bench.dataset.lint.survey.survey` of it."""
 
-from vpr_bench.dataset.lint.finding import Finding, listed, share
+from vpr_bench.dataset.lint.finding import Finding, counted, listed, share
 from vpr_bench.dataset.lint.survey import DARK, Survey
 from vpr_bench.types.traverse import Traverse
 
@@ -15,7 +15,7 @@ def find_undecodable(traverse: Traverse, survey: Survey) -> list[Finding]:
         Finding("does-not-decode", "error", traverse.name_of(index), message) for index, message in faults[:_NAMED]
     ]
     if len(faults) > _NAMED:
-        message = f"{share(len(faults) - _NAMED, len(traverse), 'image')} more cannot be decoded"
+        message = f"{len(faults) - _NAMED:,} more of {counted(len(traverse), 'image')} cannot be decoded"
         findings.append(Finding("does-not-decode", "error", traverse.name, message))
     return findings
 

@@ -1,6 +1,6 @@
 """Houses of Berlin: stuccoed ones of about 1900 and those that filled the gaps after the war."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.city.shops import paint_ground_floor, put_fronts
@@ -8,7 +8,7 @@ from vpr_datasets.simulation.city.windows import glaze, sash, surround
 from vpr_datasets.simulation.lots import plain, wall_across, wall_along
 from vpr_datasets.simulation.materials import blocks, plaster, tinted, toned
 from vpr_datasets.simulation.stage import Stage
-from vpr_datasets.simulation.texture import Canvas, Colour
+from vpr_datasets.simulation.texture import Canvas, Colour, Texture
 
 STUCCO: tuple[Colour, ...] = (
     (222, 210, 182), (206, 186, 146), (196, 192, 184), (226, 222, 212), (204, 172, 150), (186, 190, 172),
@@ -61,29 +61,50 @@ def draw_house(dice: Dice, width: float) -> House:
     )  # fmt: skip
 
 
-def put_house(stage: Stage, dice: Dice, side: int, s: float, width: float, t: float, words: tuple[str, ...]) -> float:
-    """Put up a house whose front is ``t`` metres beside the path; returns its height."""
+def put_house(
+    stage: Stage,
+    dice: Dice,
+    side: int,
+    s: float,
+    width: float,
+    t: float,
+    words: tuple[str, ...],
+    *,
+    corner: bool = False,
+) -> None:
+    """Put up a house whose front is ``t`` metres beside the path; one at a corner has another front at its near end."""
     house = draw_house(dice, width)
     depth, lit = 13.0, 256 if side > 0 else 226
     ground = paint_ground_floor(dice, house.kind == "stucco", house.colour, house.trim, width, GROUND, words)
     wall_along(stage, side, s, s + width, t, 0, GROUND, ground.bake(lit))
-    upper = {"stucco": _stucco, "plain": _plain, "grid": _grid, "glass": _glass}[house.kind](dice, house, width)
-    wall_along(stage, side, s, s + width, t, GROUND, house.eaves, upper.bake(lit))
-    fire = Canvas(depth, house.eaves, 10.0, tinted(dice, (168, 158, 146), 14))
-    plaster(fire, dice)
-    fire.speckle(dice, 20, 3.0)
-    if dice.chance(0.16):
-        fire.rect(2.0, 6.0, 8.0, min(7.0, house.eaves - 7.0), tinted(dice, house.accent, 20))
-        fire.disc(6.0, 9.0, 1.6, (232, 228, 216))
-        fire.text(2.6, 6.6, 1.1, dice.pick(words)[:9], (244, 242, 236))
-    wall_across(stage, s + 0.02, t, depth, 0, house.eaves, fire.bake(200), side)
+    paint = {"stucco": _stucco, "plain": _plain, "grid": _grid, "glass": _glass}[house.kind]
+    wall_along(stage, side, s, s + width, t, GROUND, house.eaves, paint(dice, house, width).bake(lit))
+    if corner:
+        deep = 24.0
+        flank = paint_ground_floor(dice, house.kind == "stucco", house.colour, house.trim, deep, GROUND, words)
+        wall_across(stage, s, t, deep, 0, GROUND, flank.bake(206), side)
+        longer = replace(house, bays=max(round(house.bays * deep / width), 3))
+        wall_across(stage, s, t, deep, GROUND, house.eaves, paint(dice, longer, deep).bake(206), side)
+    else:
+        wall_across(stage, s + 0.02, t, depth, 0, house.eaves, _fire_wall(dice, house, depth, words), side)
     stage.shade(s + width / 2, side * (t + depth / 2), width - 1.0, depth - 1.0, 0, house.eaves)
     put_fronts(stage, dice, side, s, width, t, words)
     if house.kind == "stucco":
         _put_cornice(stage, dice, house, side, s, width, t)
         _put_relief(stage, dice, house, side, s, width, t)
     _put_roof(stage, dice, house, side, s, width, t)
-    return house.eaves
+
+
+def _fire_wall(dice: Dice, house: House, depth: float, words: tuple[str, ...]) -> Texture:
+    """Paint the bare wall to which no neighbour has been built, on some with an old advertisement."""
+    canvas = Canvas(depth, house.eaves, 10.0, tinted(dice, (168, 158, 146), 14))
+    plaster(canvas, dice)
+    canvas.speckle(dice, 20, 3.0)
+    if dice.chance(0.2):
+        canvas.rect(2.0, 6.0, 8.0, min(7.0, house.eaves - 7.0), tinted(dice, house.accent, 20))
+        canvas.disc(6.0, 9.0, 1.6, (232, 228, 216))
+        canvas.text(2.6, 6.6, 1.1, dice.pick(words)[:9], (244, 242, 236))
+    return canvas.bake(200)
 
 
 def _heads(dice: Dice, storeys: int) -> list[str]:

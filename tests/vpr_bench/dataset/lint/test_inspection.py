@@ -1,3 +1,5 @@
+from contextlib import contextmanager
+
 import numpy as np
 import pytest
 
@@ -5,6 +7,7 @@ from vpr_bench.dataset.lint import inspect_source
 from vpr_bench.dataset.request import Request
 from vpr_bench.dataset.source import Source
 from vpr_bench.progress import listen
+from vpr_bench.types import traverse
 
 
 def test_nothing_is_wrong_with_a_clean_dataset(made):
@@ -30,12 +33,9 @@ def test_parts_and_joined_traverses(made):
 
 
 def test_every_image_is_decoded_once(made, monkeypatch):
-    from vpr_bench.types import traverse
-
     decoded, decode = [], traverse.decode_image
     monkeypatch.setattr(traverse, "decode_image", lambda file: decoded.append(file) or decode(file))
-    made.protocols *= 2
-    made.protocols = [*made.protocols[:1], {"references": "night", "queries": "day", "radius": 2}]
+    made.protocols += [{"references": "night", "queries": "day", "radius": 2}]
     assert made.lint() == []
     assert len(decoded) == len(set(decoded)) == 20
 
@@ -48,8 +48,6 @@ def test_the_worst_comes_first(made):
 
 
 def test_progress_is_told(made):
-    from contextlib import contextmanager
-
     bars = {}
 
     @contextmanager

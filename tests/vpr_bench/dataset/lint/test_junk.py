@@ -1,5 +1,9 @@
 import pytest
 
+from vpr_bench.dataset.lint.junk import find_junk
+from vpr_bench.dataset.recording import Recording
+from vpr_bench.types.traverse import Traverse
+
 
 @pytest.mark.parametrize("name", [".DS_Store", "._00.png", "Thumbs.db", "desktop.ini", "DESKTOP.INI"])
 @pytest.mark.parametrize("folder", [".", "day"])
@@ -32,22 +36,20 @@ def test_matlab_files(made):
 
 
 def test_files_that_the_card_names_are_not_junk(made):
-    made.given = {"lists": [[one] for one in range(10)], "warning": ""}
-    made.options["day"] = {"warning": ""}
     (made.folder / "day" / "truth.mat").touch()
-    source = made.source()
-    loader = source.card.loader.model_copy(update={"options": {"files": [{"truth": "day/truth.mat"}]}})
-    from vpr_bench.dataset.lint.junk import find_junk
-
-    assert len(find_junk(source.card, made.folder, {"day": _none()})) == 1
-    assert find_junk(source.card.model_copy(update={"loader": loader}), made.folder, {"day": _none()}) == []
+    card, day = made.source().card, {"day": Recording(Traverse("day", []))}
+    assert len(find_junk(card, made.folder, day)) == 1
+    named = card.loader.model_copy(update={"options": {"files": [{"truth": "day/truth.mat"}]}})
+    assert find_junk(card.model_copy(update={"loader": named}), made.folder, day) == []
 
 
-def _none():
-    from vpr_bench.dataset.recording import Recording
-    from vpr_bench.types.traverse import Traverse
-
-    return Recording(Traverse("day", []))
+def test_folders_of_images_deeper_down(made):
+    inner = made.folder / "day" / "left"
+    inner.mkdir()
+    (inner / "Thumbs.db").touch()
+    recording = Recording(Traverse("day", [inner / "0.png", inner / "1.png"]))
+    (finding,) = find_junk(made.source().card, made.folder, {"day": recording})
+    assert finding.where == "day/left"
 
 
 @pytest.mark.parametrize("name", ["gps.csv", "README.txt", "labels.npy", ".hidden", "truth.p.txt"])

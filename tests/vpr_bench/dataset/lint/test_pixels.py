@@ -1,11 +1,14 @@
 import struct
+import time
 import zlib
+from contextlib import contextmanager
 
 import numpy as np
 import pytest
 from PIL import Image
 
 from vpr_bench.dataset.lint.survey import survey
+from vpr_bench.progress import listen
 from vpr_bench.types.traverse import Traverse
 
 
@@ -37,7 +40,7 @@ def test_of_very_many_only_the_first_are_named(made):
         made.image("day", index).write_bytes(b"")
     found = made.lint()
     assert len(found) == 6 and found[-1].where == "day"
-    assert found[-1].message == "3 of 10 images more cannot be decoded"
+    assert found[-1].message == "3 more of 10 images cannot be decoded"
 
 
 def test_images_of_mixed_sizes(made, picture):
@@ -119,3 +122,23 @@ def test_an_image_that_its_conversion_refuses(picture):
 
     seen = survey(Traverse("walk", [picture(1)], refuse))
     assert seen.faults == {0: "walk[0]: ValueError: not a mosaic"}
+
+
+def test_ctrl_c_does_not_wait_for_the_rest():
+    decoded = []
+
+    @contextmanager
+    def interrupting(description, total):
+        def advance(steps):
+            raise KeyboardInterrupt
+
+        yield advance
+
+    def slowly(image):
+        decoded.append(1)
+        time.sleep(0.002)
+        return image
+
+    with listen(interrupting), pytest.raises(KeyboardInterrupt):
+        survey(Traverse("walk", [np.zeros((8, 8, 3), np.uint8)] * 2000, slowly))
+    assert len(decoded) < 1000
