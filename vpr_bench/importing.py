@@ -58,7 +58,7 @@ def _import_file(file: Path) -> ModuleType:
     except OSError as error:
         raise UsageError(f"there is no such file ({error.strerror})") from None
     # No other module can be called so, and pickling and type hints find the module by its name.
-    name = f"{file.stem}@{hashlib.sha256(bytes(file) + source).hexdigest()[:12]}"
+    name = f"{file.stem.replace('.', '_')}@{hashlib.sha256(bytes(file) + source).hexdigest()[:12]}"
     if name in sys.modules:
         return sys.modules[name]
     if str(file.parent) not in sys.path:  # last: a helper of the same name must not replace an installed module

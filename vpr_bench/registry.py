@@ -120,8 +120,10 @@ class Registry(Generic[T]):
             return claims[0]
         if claims:
             raise UsageError(self._duplicate(name, claims))
+        if is_file(name):
+            raise UsageError(f"Which class of that file is the {self.noun}? Write {name}:Class.")
         module, colon, attribute = name.rpartition(":")
-        if is_file(module):
+        if is_file(module) and attribute.isidentifier():
             file = Path(module).expanduser().absolute()
             return Entry(f"{file.name}:{attribute}", f"{file}:{attribute}", NOT_INSTALLED)
         if colon and all(part.isidentifier() for part in [*module.split("."), *attribute.split(".")]):

@@ -21,8 +21,6 @@ class Centred(Retrieval):
     """
 
     centre: bool
-    mean_: NDArray[np.float32]
-    """(D,) float32: what is subtracted; zeros without ``centre``."""
 
     @abstractmethod
     def respond(self, image: NDArray[np.uint8]) -> NDArray[np.float32]:
@@ -47,7 +45,7 @@ class Centred(Retrieval):
             database[row] = response
         # In double precision the mean does not depend on the order of the references.
         mean = database.mean(axis=0, dtype=np.float64) if self.centre else np.zeros(database.shape[1])
-        self.mean_ = mean.astype(np.float32)
+        self.mean_: NDArray[np.float32] = mean.astype(np.float32)
         for one in database:
             one -= self.mean_
             if self.metric == "cosine":

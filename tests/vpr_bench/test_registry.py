@@ -64,6 +64,21 @@ def test_an_object_is_named_by_its_module():
     assert entry.load().__name__ == "Sequence"
 
 
+def test_an_object_is_named_by_its_file(plugin, monkeypatch):
+    path = plugin("mine.py", 'class Thing:\n    """A thing."""\n    size: int = 3')
+    monkeypatch.chdir(path.parent)
+    for name in ("mine.py:Thing", "./mine.py:Thing", f"{path}:Thing"):
+        entry = registry().entry(name)
+        assert entry == Entry("mine.py:Thing", f"{path}:Thing", "not installed")  # the folder is nobody's business
+        assert entry.load().__name__ == "Thing"
+        assert (entry.summary(), entry.parameters()) == ("A thing.", {"size": "3"})
+
+
+def test_a_file_without_a_class_is_asked_for_one():
+    with pytest.raises(UsageError, match=r"Which class of that file is the method\? Write mine.py:Class."):
+        registry().entry("mine.py")
+
+
 def test_import_reaches_into_objects():
     assert import_object("collections:OrderedDict.fromkeys", "it")("a") == {"a": None}
 
@@ -89,8 +104,8 @@ def test_the_closest_name_is_suggested():
     ("target", "reason"),
     [
         ("no_such_module:Thing", "ModuleNotFoundError: No module named 'no_such_module'"),
-        ("math:tau_prime", "AttributeError"),
-        ("breaks_at_import:Thing", "RuntimeError: no licence"),
+        ("math:sqrrt", r"there is no 'sqrrt' in it. Did you mean 'sqrt'\?"),
+        ("breaks_at_import:Thing", "breaks_at_import.py, line 1: RuntimeError: no licence"),
     ],
 )
 def test_what_cannot_be_loaded_says_where_it_is_from_and_why(plugin, target, reason):

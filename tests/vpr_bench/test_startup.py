@@ -25,7 +25,9 @@ def heavy_after(code, *arguments):
     return done.stdout.splitlines()[-1].split()[1:]
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["list"], ["info", "gardens"], ["info", "twostage"]], ids=" ".join)
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["list"], ["info", "gardens"], ["info", "twostage"], ["weights", "list"]], ids=" ".join
+)
 def test_commands_that_only_name_things_import_nothing_heavy(arguments):
     assert heavy_after(COMMAND, *arguments) == []
 

@@ -25,6 +25,7 @@ from vpr_bench.errors import DataError, UsageError, VprBenchError, blaming
 if TYPE_CHECKING:
     from rich.console import RenderableType
 
+    from vpr_bench.runner.record import RunRecord
     from vpr_bench.runner.store import StoredRun
 
 SHOW_EXAMPLES = """[bold]Examples[/bold]
@@ -114,6 +115,13 @@ def _select(names: list[str] | None, output: Path) -> list["StoredRun"]:
     return selected
 
 
+def _order(record: "RunRecord") -> str:
+    """Say in which order the queries were asked, and what the method knew of those to come."""
+    if record.order == "shuffled":
+        return "shuffled by the seed"
+    return f"in their order, {record.future} frames ahead" if record.future else "in their order"
+
+
 def _details(run: "StoredRun") -> "RenderableType":
     from rich.table import Table
     from rich.text import Text
@@ -125,6 +133,7 @@ def _details(run: "StoredRun") -> "RenderableType":
         **{f"  {name}": str(value) for name, value in record.key.parameters.items()},
         "weights": record.key.weights or "none",
         "dataset": record.key.dataset_digest,
+        "queries": _order(record),
         "seed, k, limit": f"{record.key.seed}, {record.key.k}, {record.key.limit or 'none'}",
         "fitting": f"{record.fit_seconds:.1f} s, {record.peak_memory['fit'] / 2**20:.0f} MiB at its peak",
         "matching": f"{record.peak_memory['match'] / 2**20:.0f} MiB at its peak",

@@ -19,7 +19,7 @@ _GYMNASIUM = "gymnasium"
 
 def make_ids_known() -> None:
     """Register every environment now if Gymnasium has been imported, else as soon as it is."""
-    if _GYMNASIUM in sys.modules:
+    if sys.modules.get(_GYMNASIUM) is not None:
         _register()
     elif not any(isinstance(finder, _Watch) for finder in sys.meta_path):
         sys.meta_path.insert(0, _Watch())

@@ -42,7 +42,7 @@ def image_sizes(traverse: Traverse) -> NDArray[np.int64]:
 
 def _header(file: Path) -> tuple[int, int]:
     """Read height and width of an image file."""
-    from PIL import Image
+    from PIL import Image, ImageOps
 
     try:
         with Image.open(file, formats=FORMATS) as image:
@@ -50,6 +50,8 @@ def _header(file: Path) -> tuple[int, int]:
             # A PNG may have its EXIF behind its pixels: looking there would mean to decode them.
             known = image.format != "PNG" or "exif" in image.info
             sideways = known and image.getexif().get(_ORIENTATION) in _SIDEWAYS
+            if sideways and image.format == "TIFF":  # of which some versions of Pillow have turned the size already
+                (width, height), sideways = ImageOps.exif_transpose(image).size, False
     except Exception as error:  # whatever a damaged file makes one of Pillow's parsers raise
         raise DataError(f"{file} cannot be read as an image: {one_line(error)}.") from None
     return (width, height) if sideways else (height, width)

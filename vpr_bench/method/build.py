@@ -2,21 +2,19 @@
 
 import contextlib
 import dataclasses
-import hashlib
 import inspect
 import json
-import sys
 import typing
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 from vpr_bench.errors import DataError, UsageError, blaming, closest, one_line
 from vpr_bench.method.interfaces import Method, Weighted
 from vpr_bench.method.nested import build_inner, nested_parameters, take_apart
 from vpr_bench.method.presets import preset_parameters
-from vpr_bench.registry import NOT_INSTALLED, Entry, Registry
+from vpr_bench.method.version import version_of
+from vpr_bench.registry import Entry, Registry
 
 METHODS: Registry[type[Method]] = Registry("vpr_bench.methods", "method")
 
@@ -50,7 +48,7 @@ class BuiltMethod:
         Digest of the pre-trained weights, also those of a method inside.
     label : str
         The id with the parameters that differ from their defaults, or from the preset, for tables; the seed is
-        left out.
+        left out, and a method inside is always named.
     method : Method
         Not fitted yet.
     """
@@ -115,9 +113,10 @@ def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: i
     usual, _ = take_apart(usual, nested)
     expected = known | {key: _convert(name, factory, key, usual[key]) for key in usual if key not in nested}
     told = {key: inner[key].label if key in inner else value for key, value in values.items()}
-    changed = [one_line(f"{key}={value}") for key, value in told.items() if key != "seed" and value != expected[key]]
+    told = {key: value for key, value in told.items() if key in inner or (key != "seed" and value != expected[key])}
+    changed = [one_line(f"{key}={value}") for key, value in told.items()]
     label = f"{called}({', '.join(changed)})" if changed else called
-    return BuiltMethod(called, _version(entry, factory), values, weights, label, method)
+    return BuiltMethod(called, version_of(entry, factory), values, weights, label, method)
 
 
 def method_parameters(name: str) -> list[str]:
@@ -172,28 +171,3 @@ def _check_json(method: str, values: Mapping[str, Any]) -> None:
             json.dumps(value, allow_nan=False)
         except (TypeError, ValueError) as error:
             raise UsageError(f"The parameter {name!r} of {method!r} cannot stand in a result: {error}.") from None
-
-
-def _version(entry: Entry, factory: Any) -> str:
-    declared = getattr(factory, "version", None)
-    if isinstance(declared, str):
-        return declared
-    sources = _sources(factory.__module__)
-    if not sources and entry.origin == NOT_INSTALLED:
-        raise UsageError(
-            f"The source of {entry.name!r} cannot be found, so that edits would pass unnoticed: "
-            "give the class an attribute version = '1'."
-        )
-    digest = hashlib.sha256()
-    for file in sources:
-        digest.update(file.read_bytes())
-    return f"source:{digest.hexdigest()[:16]}" if sources else entry.origin
-
-
-def _sources(module: str) -> list[Path]:
-    """Return the files that a method's behaviour may depend on: its package's, or its module's alone."""
-    top = sys.modules.get(module.partition(".")[0])
-    folders = [Path(folder) for folder in getattr(top, "__path__", ())]
-    files = sorted(file for folder in folders for file in folder.rglob("*.py"))
-    alone = getattr(sys.modules.get(module), "__file__", None)
-    return files or ([Path(alone)] if alone else [])

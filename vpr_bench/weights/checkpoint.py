@@ -80,8 +80,9 @@ def _check_sizes(path: Path) -> None:
 def _explain(path: Path, start: bytes, error: Exception) -> str:
     if start.lstrip()[:1] == b"<":
         return f"{path} is a web page and no checkpoint. Check the address that it came from."
+    # Torch's messages go on to say how the file can be loaded all the same: that advice is not passed on.
     if isinstance(error, pickle.UnpicklingError):
-        asked = re.search(r"GLOBAL ([\w.]+)", str(error))  # the rest is torch's advice on how to load it all the same
+        asked = re.search(r"GLOBAL ([\w.]+)", str(error))
         why = (
             f"its pickle asks for {asked[1]:.100}" if asked else "its pickle asks for more than tensors, or is damaged"
         )
@@ -89,7 +90,8 @@ def _explain(path: Path, start: bytes, error: Exception) -> str:
             f"{path} is refused: {why}. Nothing of it was run; get it from its publisher, "
             "or have it saved as safetensors."
         )
-    return f"{path} is damaged or no checkpoint ({type(error).__name__}: {one_line(error):.200}). Get it again."
+    reason = one_line(error).partition(" In PyTorch 2.6")[0]
+    return f"{path} is damaged or no checkpoint ({type(error).__name__}: {reason:.200}). Get it again."
 
 
 def _unwrapped(loaded: object) -> object:

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from torch import Tensor
 
 RANDOM = "random"
-"""Stands for weights as a network is initialised; nobody gets them by mistake."""
+"""Stands for random numbers as weights; nobody gets them by mistake."""
 
 
 @dataclass(frozen=True)

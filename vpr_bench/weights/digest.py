@@ -17,7 +17,7 @@ class OtherWeightsError(VprBenchError):
 def weights_digest(card: WeightsCard, *, afresh: bool = False, accept: bool = False) -> str:
     """Return ``sha256:…`` of the weights of a card, if they are the right ones.
 
-    Where nobody publishes a digest, the first one that is met is recorded.
+    Where nobody publishes a digest, the first one of a file that can be read is recorded.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def weights_digest(card: WeightsCard, *, afresh: bool = False, accept: bool = Fa
     Raises
     ------
     DataError
-        If they are missing, or are not the ones that were published.
+        If they are missing, or are not the ones that were published, or are no weights where none are published.
     OtherWeightsError
         If they are not the ones that were met here first.
     """
@@ -47,6 +47,9 @@ def weights_digest(card: WeightsCard, *, afresh: bool = False, accept: bool = Fa
             f"If it is the right one, say so with `vpr-bench weights verify {card.id} --accept`."
         )
     if known != digest:
+        from vpr_bench.weights.checkpoint import load_checkpoint
+
+        load_checkpoint(path)  # a first contact with a web page or half a file would speak against the right one
         remember_digest(card.url, digest, path.parent)
     return digest
 

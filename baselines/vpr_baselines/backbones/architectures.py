@@ -90,12 +90,20 @@ def load_network(architecture: Architecture, weights: str, seed: int = 0) -> nn.
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         network = architecture.build()
+        if choice.random:
+            network.apply(_initialise)
     if not choice.random:
         fit_checkpoint(network, choice.tensors(), allow_head=architecture.head, name=identity)
     network.eval()
     _fold_norms(network)
     network.to(memory_format=torch.channels_last)  # type: ignore[call-overload]
     return network.requires_grad_(False)
+
+
+def _initialise(module: nn.Module) -> None:
+    """Draw weights as He et al. (ICCV 2015, eq. 10) do: deep networks answer with zeros else."""
+    if isinstance(module, nn.Conv2d | nn.Linear):
+        nn.init.kaiming_normal_(module.weight, nonlinearity="relu")
 
 
 def _fold_norms(module: nn.Module) -> None:

@@ -64,4 +64,4 @@ class ForwardFilter(SequenceWrapper):
         for step in range(min(self.v_max + 1, size)):
             moved[step:] += self._belief[: size - step]
         moved *= (1 - self.jump) / (self.v_max + 1)
-        return moved + (1 - moved.sum()) / size
+        return np.asarray(moved + (1 - moved.sum()) / size)

@@ -100,4 +100,4 @@ class SeqSlam(SequenceWrapper):
                 elif -self.size_ < back < 0:
                     total[:back] += row[-back:]
             np.maximum(best, total, out=best)
-        return best / len(rows)
+        return np.asarray(best / np.float32(len(rows)))

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_baselines.sift.keypoints import LENGTH, KeyPoints, root_sift
+from vpr_baselines.sift.keypoints import KeyPoints, root_sift
 from vpr_baselines.sift.products import RoughProducts
 
 _FILE = "keypoints.npz"
@@ -45,7 +45,6 @@ class KeyPointMap:
     """
 
     def __init__(self, n_images: int, n_features: int) -> None:
-        self._descriptors = np.zeros((n_images, n_features, LENGTH), dtype=np.uint8)
         self._positions = np.zeros((n_images, n_features, 2), dtype=np.float32)
         self._counts = np.zeros(n_images, dtype=np.int64)
         self._products = RoughProducts(n_images, n_features)
@@ -57,8 +56,7 @@ class KeyPointMap:
     def put(self, image: int, points: KeyPoints) -> None:
         """Set the key points of one reference."""
         count = len(points.positions)
-        self._descriptors[image, :count], self._positions[image, :count] = points.descriptors, points.positions
-        self._counts[image] = count
+        self._positions[image, :count], self._counts[image] = points.positions, count
         self._products.put(image, root_sift(points.descriptors))
 
     def positions(self, image: int) -> NDArray[np.float32]:
@@ -93,7 +91,7 @@ class KeyPointMap:
 
     def _pairs(self, image: int, query: NDArray[np.float32], rows: NDArray[np.int64], ratio: float) -> Pairs:
         """Do the ratio test on some descriptors of a query and all of one reference."""
-        products = np.minimum(query[rows] @ root_sift(self._descriptors[image, : self._counts[image]]).T, 1)
+        products = np.minimum(query[rows] @ self._products.get(image, self._counts[image]).T, 1)
         every, nearest = np.arange(len(rows)), products.argmax(axis=1)
         first = products[every, nearest]
         products[every, nearest] = -1
@@ -103,14 +101,13 @@ class KeyPointMap:
 
     def save(self, folder: Path) -> None:
         """Write all key points as ``keypoints.npz``."""
-        np.savez(folder / _FILE, descriptors=self._descriptors, positions=self._positions, counts=self._counts)
+        np.savez(folder / _FILE, products=self._products.packed(), positions=self._positions, counts=self._counts)
 
     @classmethod
     def load(cls, folder: Path) -> "KeyPointMap":
         """Read what :meth:`save` wrote."""
         with np.load(folder / _FILE, allow_pickle=False) as stored:
-            descriptors, positions, counts = stored["descriptors"], stored["positions"], stored["counts"]
-        made = cls(*descriptors.shape[:2])
-        for image, count in enumerate(counts.tolist()):
-            made.put(image, KeyPoints(positions[image, :count], descriptors[image, :count]))
+            made = cls(*stored["positions"].shape[:2])
+            made._positions, made._counts = stored["positions"], stored["counts"]
+            made._products.unpack(stored["products"])
         return made

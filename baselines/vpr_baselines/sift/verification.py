@@ -13,9 +13,7 @@ _PIXELS = {"homography": 5.0, "fundamental": 2.0}  # from the predicted point or
 _TRIALS, _CONFIDENCE = 2000, 0.999
 
 
-def consistent(
-    query: NDArray[np.float32], reference: NDArray[np.float32], geometry: Geometry
-) -> NDArray[np.bool_]:
+def consistent(query: NDArray[np.float32], reference: NDArray[np.float32], geometry: Geometry) -> NDArray[np.bool_]:
     """Find the pairs that one homography or fundamental matrix explains, by OpenCV's USAC with MAGSAC++.
 
     OpenCV draws its samples from the same seed every time, so equal pairs give equal answers.

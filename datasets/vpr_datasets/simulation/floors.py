@@ -190,6 +190,7 @@ MATERIALS: dict[str, tuple[Colour, Callable[[Canvas, Dice], None]]] = {
     "gutter": ((108, 106, 104), _stones(0.25, 0.25, 22, 26)),
     "mosaic": ((146, 144, 140), _fine),
     "plates": ((174, 170, 163), _stones(1.0, 0.8, 20, 36)),
+    "cycle lane": ((142, 92, 84), _loose(18, 1.0)),
     "cycle path": ((152, 116, 106), _fine),
     "soil": ((120, 104, 84), _loose(40, 0.4)),
     "clinker": ((140, 96, 80), _stones(0.17, 0.34, 44, 36)),

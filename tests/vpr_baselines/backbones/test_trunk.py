@@ -46,8 +46,9 @@ def test_colour_does_not_matter_and_dimming_hardly(trunk):
 def test_colour_matters_where_light_is_left_alone():
     trunk = load_trunk("efficientnet-lite0", 96, 64, normalise="none")
     image = noise(8, 12).repeat(8, axis=0).repeat(8, axis=1)
-    maps, of_swapped = trunk.encode([image, image[..., ::-1]]).reshape(2, -1)
-    assert np.corrcoef(maps, of_swapped)[0, 1] < 0.95
+    grey = np.repeat((image @ [0.299, 0.587, 0.114]).round().astype(np.uint8)[..., None], 3, axis=2)
+    maps, of_grey = trunk.encode([image, grey]).reshape(2, -1)
+    assert np.corrcoef(maps, of_grey)[0, 1] < 0.9
 
 
 @pytest.mark.parametrize("backbone", ["resnet18", "efficientnet-lite0"])

@@ -7,3 +7,9 @@ def test_pairs(vpr_bench):
     assert done.code == 0
     assert 0 < facts["pr_auc_pairs"] < 1
     assert facts["peak_rss_bytes"] > 0
+
+
+def test_envs(vpr_bench, monkeypatch):
+    monkeypatch.setattr("vpr_bench.bench.envs.run", lambda *given: {"given": given})
+    done = vpr_bench("bench", "envs", "--dataset", "gardens", "--num-envs", "8", "--episodes", "2")
+    assert done.code == 0 and json.loads(done.out) == {"given": ["gardens", 8, 2]}

@@ -3,6 +3,7 @@ import sys
 import types
 
 import pytest
+import torch
 
 from vpr_bench.registry import Entry
 from vpr_bench.weights.card import WEIGHTS, WeightsCard
@@ -23,8 +24,6 @@ def folder(tmp_path, monkeypatch):
 @pytest.fixture
 def tiny(folder, server, monkeypatch, tmp_path):
     """Register weights that the local server has; return their page, and a function that changes their card."""
-    import torch
-
     torch.save({"fc.weight": torch.ones(2, 3)}, tmp_path / "tiny.pth")
     page = server.add("/tiny.pth", (tmp_path / "tiny.pth").read_bytes())
     plugin = types.ModuleType("tiny_weights")
@@ -118,12 +117,13 @@ def test_verifying_what_is_here_leaves_out_what_is_not(vpr_bench, tiny):
 
 def test_another_file_than_the_first_one_can_be_accepted(vpr_bench, tiny):
     assert vpr_bench("weights", "fetch", "tiny-dots").code == 0
-    tiny.file.write_bytes(tiny.file.read_bytes().replace(b"fc.weight", b"fc.wEight"))
+    torch.save({"fc.weight": torch.zeros(2, 3)}, tiny.file)
     done = vpr_bench("weights", "verify", "tiny-dots")
     assert done.code == 1
     assert "not the file that was met here first" in done.err
     assert vpr_bench("weights", "verify", "--accept").code == 2
-    assert vpr_bench("weights", "verify", "tiny-dots", "--accept").code in (0, 3)
+    assert vpr_bench("weights", "verify", "tiny-dots", "--accept").code == 0
+    assert vpr_bench("weights", "verify", "tiny-dots").code == 0
 
 
 def test_damaged_weights(vpr_bench, tiny):

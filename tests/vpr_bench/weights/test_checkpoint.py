@@ -2,6 +2,7 @@ import io
 import os
 import pickle
 import struct
+import tarfile
 import types
 import zipfile
 from typing import ClassVar
@@ -164,6 +165,24 @@ def test_a_zip_bomb_is_refused_before_it_is_unpacked(tmp_path):
     assert bomb.stat().st_size < 20_000
     with pytest.raises(DataError, match="is refused: it is compressed"):
         load_checkpoint(bomb)
+
+
+def test_archives_of_the_oldest_torch_are_refused_without_advice_to_trust_them(tmp_path):
+    file = tmp_path / "old.pth.tar"
+    with tarfile.open(file, "w") as archive:
+        for name in ("sys_info", "pickle", "storages", "tensors"):
+            archive.addfile(tarfile.TarInfo(name))
+    with pytest.raises(DataError, match=r"legacy .tar format\.\). Get it again\.$"):
+        load_checkpoint(file)
+
+
+def test_storage_that_is_larger_than_memory_is_a_data_error(tmp_path):
+    content = torch_bytes({"weight": torch.ones(3)}, _use_new_zipfile_serialization=False)
+    size = content.index(b"K\x03", content.index(b"cpuq"))  # how many numbers the storage says that it has
+    file = tmp_path / "huge.pth"
+    file.write_bytes(content[:size] + b"\x8a\x06" + (10**13).to_bytes(6, "little") + content[size + 2 :])
+    with pytest.raises(DataError, match=r"huge.pth is damaged or no checkpoint"):
+        load_checkpoint(file)
 
 
 def test_a_missing_file_is_a_data_error(tmp_path):

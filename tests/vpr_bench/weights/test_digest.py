@@ -15,7 +15,7 @@ def placed(tiny_weights, saved):
 
 def spoil(tiny_weights):
     file = tiny_weights.folder / "tiny.pth"
-    file.write_bytes(file.read_bytes() + b"\0")
+    file.write_bytes(file.read_bytes() + b"\0")  # which can still be read
 
 
 @pytest.mark.parametrize("whole", [True, False])
@@ -39,3 +39,12 @@ def test_without_one_the_first_contact_decides_and_can_be_replaced(tiny_weights,
         weights_digest(card)
     accepted = weights_digest(card, accept=True)
     assert accepted != f"sha256:{placed}" and weights_digest(card) == accepted
+
+
+def test_what_is_no_checkpoint_is_not_met(tiny_weights, saved):
+    card, file = tiny_weights.register(), tiny_weights.folder / "tiny.pth"
+    file.write_bytes(b"<html></html>")
+    with pytest.raises(DataError, match="is a web page"):
+        weights_digest(card)
+    file.write_bytes(saved)
+    assert weights_digest(card) == f"sha256:{hashlib.sha256(saved).hexdigest()}"

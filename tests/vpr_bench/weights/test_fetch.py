@@ -63,11 +63,14 @@ def test_what_is_here_is_verified_and_never_replaced(tiny_weights, server, saved
     with pytest.raises(DataError, match="damaged or another file"):
         fetch_weights(tiny_weights.register(url=page.url, sha256=page.sha256))
     card = tiny_weights.register(url=page.url)
+    with pytest.raises(DataError, match="asks for more than tensors, or is damaged"):
+        fetch_weights(card)
+    file.write_bytes(saved)
     fetch_weights(card)  # nobody knows better: it is met first
-    file.write_bytes(b"mine, changed")
+    file.write_bytes(saved + b"\0")
     with pytest.raises(OtherWeightsError):
         fetch_weights(card)
-    assert file.read_bytes() == b"mine, changed" and not page.requests
+    assert file.read_bytes() == saved + b"\0" and not page.requests
 
 
 def test_what_the_server_does_not_have_is_a_data_error(tiny_weights, server):

@@ -16,10 +16,10 @@ ORIGINS = {"motorway": (52.49, 13.28), "street": (52.497, 13.286), "boulevard": 
 
 ELSEWHERE = (52.5, 13.3)
 
-LATITUDE, LONGITUDE = 111276.8, 67898.0
+LATITUDE, LONGITUDE = 111276.8, 67910.2
 """Metres in a degree at 52.5 degrees north, on the ellipsoid of WGS 84."""
 
-NARROWING = 1544.0
+NARROWING = 1541.0
 """By how many metres a degree of longitude is shorter one degree further north."""
 
 ERROR, TURN = 1.5, 4.0

@@ -76,16 +76,16 @@ BOULEVARD = Profile(
 STREET = Profile(
     kerbs=(-7.8, 7.8),
     islands=(),
-    lines=((0.0, 0.14, "dash"), (-2.8, 0.12, "dash"), (2.8, 0.12, "dash"), (-5.6, 0.12, "short dash"),
-           (5.6, 0.12, "short dash")),
-    lanes=(Lane(-1.4, True), Lane(-4.2, True), Lane(1.4, False), Lane(4.2, False)),
+    lines=((0.0, 0.14, "dash"), (-4.0, 0.14, "line"), (4.0, 0.14, "line"), (-5.65, 0.12, "short dash"),
+           (5.65, 0.12, "short dash")),
+    lanes=(Lane(-2.1, True), Lane(2.1, False)),
     parked=(Lane(-6.7, True), Lane(6.7, False)),
-    cycles=((-10.0, -8.6), (8.6, 10.0)),
-    trees=(-10.9, 10.9),
-    walks=(-12.9, -12.0, 12.4, 13.0),
+    cycles=((-5.55, -4.1), (4.1, 5.55)),
+    trees=(-9.6, 9.6),
+    walks=(-12.6, -11.4, 11.6, 12.8),
     fronts=(14.6, 14.8),
 )  # fmt: skip
-"""A busy one: two lanes each way between parked cars."""
+"""A busy one: a lane and a cycle lane each way between parked cars."""
 
 
 def pave(stage: Stage, profile: Profile, start: float, stop: float, junctions: list[tuple[float, float]]) -> None:
@@ -122,9 +122,10 @@ def _between(profile: Profile) -> tuple[Band, ...]:
         Band(left, left + 3.0, "mosaic"),
     ]
     bands += [Band(t - 0.9, t + 0.9, "mosaic") for t in profile.trees]
-    bands += [Band(low, high, "cycle path") for low, high in profile.cycles]
-    bands += [Band(edge - 0.06, edge + 0.06, "line") for low, high in profile.cycles for edge in (low, high)]
     bands += _carriageway(profile)
+    for low, high in profile.cycles:
+        bands.append(Band(low, high, "cycle path" if not right < low < left else "cycle lane"))
+        bands += [Band(edge - 0.06, edge + 0.06, "line") for edge in (low, high)]
     bands += [Band(t - width / 2, t + width / 2, material) for t, width, material in profile.lines]
     return tuple(bands)
 

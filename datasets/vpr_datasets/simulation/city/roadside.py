@@ -4,6 +4,7 @@ from vpr_datasets.simulation import plants, props
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.city import kit
 from vpr_datasets.simulation.city.roads import Profile
+from vpr_datasets.simulation.city.trees import TALL, WIDE, street_tree
 from vpr_datasets.simulation.lots import plain
 from vpr_datasets.simulation.spec import Season
 from vpr_datasets.simulation.stage import Stage
@@ -14,7 +15,7 @@ Junctions = list[tuple[float, float]]
 
 def furnish(stage: Stage, dice: Dice, season: Season, profile: Profile, junctions: Junctions, length: float) -> None:
     """Furnish the road from some way before its first place to ``length`` metres along it."""
-    trees = [plants.tree(dice.branch(), season).bake() for _ in range(9)]
+    trees = [street_tree(dice.branch(), season).bake() for _ in range(9)]
     for t in profile.trees:
         _plant(stage, dice, trees, t, junctions, length)
     _light(stage, dice, profile, length)
@@ -44,7 +45,7 @@ def _plant(stage: Stage, dice: Dice, trees: list[Texture], t: float, junctions: 
             continue
         size = dice.between(0.95, 1.35)
         place = t + dice.between(-0.2, 0.2)
-        stage.cutout(s, place, 6.0 * size * dice.pick((1, -1)), 8.6 * size, dice.pick(trees))
+        stage.cutout(s, place, WIDE * size * dice.pick((1, -1)), TALL * size, dice.pick(trees))
         stage.slab(s - 0.8, place - 0.8, 1.6, 1.6, 0.012, pit)
         stage.shade(s, place, 3.4 * size, 3.4 * size, 3.6 * size, 7.6 * size)
 

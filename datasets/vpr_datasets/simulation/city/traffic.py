@@ -63,19 +63,18 @@ def set_out(dice: Dice, traverse: TraverseSpec, profile: Profile, frames: int, *
         if abs(lane.t - traverse.lateral) < 1.3:
             movers += _ahead(dice, traverse, lane, fleet, frames, step)
             continue
-        # What comes along meets the camera every few dozen metres, on the bus lane rarely.
-        gap = (16.0 if lane.use == "cars" else 90.0) / step
-        meeting = -20.0
-        speed = dice.between(1.15, 1.5) if lane.onward else -dice.between(0.9, 1.3)
-        while meeting < frames + 60:
-            meeting += gap * dice.between(0.8, 3.0)
+        # From a bicycle nearly everything on the road is faster.
+        pace = step * (dice.between(1.2, 1.5) if lane.onward else -dice.between(0.9, 1.3))
+        pace *= 2.0 if abs(traverse.lateral) > 5.7 else 1.0
+        room = (20.0, 70.0) if lane.use == "cars" else (90.0, 300.0)
+        meeting = -160.0 / abs(step - pace)
+        while meeting < frames + 200.0 / abs(step - pace):
+            meeting += dice.between(*room) / abs(step - pace)
             if dice.chance(traverse.traffic):
-                one = dice.pick(fleet if lane.use == "cars" else buses)
-                movers.append(_driver(one, meeting, speed * step * (0.6 if abs(traverse.lateral) > 5.7 else 1.0), lane))
+                movers.append(_driver(dice.pick(fleet if lane.use == "cars" else buses), meeting, pace, lane))
     for low, high in profile.cycles:
         middle = (low + high) / 2
         onward = middle < 0
-        texture = cyclist(dice).bake()
         meeting = 0.0
         while meeting < frames + 30:
             meeting += 40.0 / step * dice.between(0.6, 2.0)

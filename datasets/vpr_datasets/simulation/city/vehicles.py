@@ -80,11 +80,17 @@ def _block(
     back: Canvas | None,
     face: Canvas | None,
     lid: Canvas | None,
+    lettering: tuple[float, float, float, str, Colour] | None = None,
 ) -> Block:
     mirrored = None
     if flank is not None:
         mirrored = Canvas(flank.width, flank.height, flank.density)
         mirrored.rgb[:], mirrored.ink[:] = flank.rgb[:, ::-1], flank.ink[:, ::-1]
+        if lettering is not None:
+            # What is written must not be mirrored.
+            x, y, tall, words, ink = lettering
+            flank.text(x, y, tall, words, ink)
+            mirrored.text(max(flank.width - x - 0.8 * tall * len(words), 0.1), y, tall, words, ink)
     baked = [
         None if canvas is None else canvas.bake(shade)
         for canvas, shade in ((flank, 256), (mirrored, 256), (back, 232), (face, 236), (lid, 270))
@@ -183,7 +189,7 @@ def van(dice: Dice) -> Vehicle:
     flank.rect(0, 0.3, length, 0.2, (60, 60, 62))
     flank.polygon([(length - nose - 1.0, 1.15), (length - nose, 1.15), (length - nose - 0.4, high - 0.25), (length - nose - 1.0, high - 0.25)], GLASS)
     flank.rect(length - nose - 1.1, 0.4, 0.03, high - 0.5, toned(colour, 170))
-    flank.text(0.5, high * 0.55, 0.34, dice.pick(ADVERTS), dice.pick(((180, 40, 40), (30, 70, 150), (40, 44, 48))))
+    firm = 0.5, high * 0.55, 0.34, dice.pick(ADVERTS), dice.pick(((180, 40, 40), (30, 70, 150), (40, 44, 48)))
     flank.rect(0.5, high * 0.46, dice.between(1.0, 2.4), 0.06, dice.pick(((180, 40, 40), (30, 70, 150))))
     _wheel(flank, 0.9, 0.36)
     back = Canvas(width, high, DENSITY)
@@ -205,7 +211,7 @@ def van(dice: Dice) -> Vehicle:
     lid.frame(0, 0, length - nose, width, 0.1, toned(colour, 200))
     hood = Canvas(nose, width, 12.0, toned(colour, 240))
     return Vehicle(length, width, high, (
-        _block(-length / 2, length / 2 - nose, 0.0, 0.0, high, flank, back, face, lid),
+        _block(-length / 2, length / 2 - nose, 0.0, 0.0, high, flank, back, face, lid, firm),
         _block(length / 2 - nose, length / 2, 0.05, 0.0, 0.98, nosed, None, _ends(width, 0.3, 0.98, colour)[1], hood),
     ), _shadow())  # fmt: skip
 
@@ -218,7 +224,7 @@ def lorry(dice: Dice) -> Vehicle:
     flank.rect(0, 0.55, length, 0.4, (56, 58, 60))
     flank.rect(0, 1.0, length - cab - 0.15, high - 1.0, colour)
     flank.speckle(dice, 14, 1.0)
-    flank.text(0.8, 2.0, 0.8, dice.pick(ADVERTS), (244, 244, 240) if sum(colour) < 480 else (36, 60, 110))
+    firm = 0.8, 2.0, 0.8, dice.pick(ADVERTS), (244, 244, 240) if sum(colour) < 480 else (36, 60, 110)
     for x in (1.2, 2.5):
         _wheel(flank, x, 0.48)
     back = Canvas(width, high, DENSITY)
@@ -244,7 +250,7 @@ def lorry(dice: Dice) -> Vehicle:
     _plate(face, 0.45, width)
     lid = Canvas(length - cab, width, 8.0, toned(colour, 250))
     return Vehicle(length, width, high, (
-        _block(-length / 2, length / 2 - cab, 0.0, 0.0, high, flank, back, Canvas(width, high, 10.0, colour), lid),
+        _block(-length / 2, length / 2 - cab, 0.0, 0.0, high, flank, back, Canvas(width, high, 10.0, colour), lid, firm),
         _block(length / 2 - cab, length / 2, 0.05, 0.0, 3.0, head, None, face, Canvas(1, 1, 4.0, paint)),
     ), _shadow())  # fmt: skip
 
@@ -266,9 +272,9 @@ def bus(dice: Dice) -> Vehicle:
             flank.rect(0.2 + number * 1.5, low, 0.09, 1.0, (30, 32, 34))
             if dice.chance(0.4):
                 flank.disc(0.8 + number * 1.5, low + 0.25, 0.16, (120, 96, 84), 60)
+    ink = (30, 30, 32) if sum(board) > 600 else (244, 240, 232)
     if double:
         flank.rect(1.0, 2.1, length - 3.5, 0.45, board)
-        flank.text(1.6, 2.17, 0.3, advert, (30, 30, 32) if sum(board) > 600 else (244, 240, 232))
     for x in (length * 0.3, length * 0.84):
         flank.rect(x, 0.35, 1.1, 1.75, (52, 60, 68), 100)
         flank.rect(x + 0.53, 0.35, 0.05, 1.75, (30, 32, 34))
@@ -291,14 +297,15 @@ def bus(dice: Dice) -> Vehicle:
                     (250, 190, 60))  # fmt: skip
         if rear:
             canvas.rect(0.4, 1.0, width - 0.8, 0.9, board)
-            canvas.text(0.5, 1.3, 0.26, advert[:8], (30, 30, 32) if sum(board) > 600 else (244, 240, 232))
+            canvas.text(0.5, 1.3, 0.26, advert[:8], ink)
         _plate(canvas, 0.4, width)
         ends.append(canvas)
     lid = Canvas(length, width, 10.0, (226, 214, 170))
     lid.frame(0, 0, length, width, 0.2, toned(colour, 220))
     lid.rect(length * 0.4, 0.6, 1.8, 1.3, (190, 190, 186))
     return Vehicle(length, width, high, (
-        _block(-length / 2, length / 2, 0.0, 0.0, high, flank, ends[0], ends[1], lid),
+        _block(-length / 2, length / 2, 0.0, 0.0, high, flank, ends[0], ends[1], lid,
+               (1.6, 2.17, 0.3, advert, ink) if double else None),
     ), _shadow())  # fmt: skip
 
 

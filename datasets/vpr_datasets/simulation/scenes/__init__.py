@@ -4,7 +4,7 @@ from typing import Protocol
 
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.path import Course
-from vpr_datasets.simulation.scenes import campus, railway, street, suburb
+from vpr_datasets.simulation.scenes import campus, motorway, railway, street, suburb
 from vpr_datasets.simulation.setting import Setting
 from vpr_datasets.simulation.spec import Epoch, Season, TraverseSpec
 from vpr_datasets.simulation.stage import Mover, Stage
@@ -34,6 +34,7 @@ SCENES: dict[str, Landscape] = {
     "suburb": suburb,
     "street": street.street,
     "boulevard": street.boulevard,
+    "motorway": motorway,
 }
 """By the name that a specification gives its scene."""
 
