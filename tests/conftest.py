@@ -64,6 +64,17 @@ def real_gardens(monkeypatch: pytest.MonkeyPatch) -> Path:
     return folder
 
 
+@pytest.fixture
+def real_nordland(monkeypatch: pytest.MonkeyPatch) -> str:
+    """Return how to ask for the real small Nordland images, or skip the test."""
+    if not _REAL_IMAGES:
+        pytest.skip("set VPR_BENCH_DATA to the folder that holds nordland-64x32 to test on the real images")
+    monkeypatch.setenv("VPR_BENCH_DATA", _REAL_IMAGES)
+    if find_images(DATASETS.entry("nordland").load(), "64x32") is None:
+        pytest.skip(f"{_REAL_IMAGES} does not hold the images of nordland-64x32")
+    return "nordland:64x32"
+
+
 TINY_PLACES, TINY_WIDTH, TINY_HEIGHT = 12, 64, 48
 TINY_TRAVERSES = {"day_left": (0, 1.0), "day_right": (3, 0.9), "night_right": (3, 0.5)}
 """How far each traverse's camera stands to the right, in pixels, and how bright its pictures are."""

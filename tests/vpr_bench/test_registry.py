@@ -176,7 +176,6 @@ def test_a_function_has_a_summary_too(plugin):
         "undocumented:Missing",
         "not_python:Thing",
         "binary:Thing",
-        "broken_package.module:Thing",
         "sys:path",
         "",
     ],
@@ -185,9 +184,13 @@ def test_there_is_no_summary_where_there_is_nothing_to_read(plugin, target):
     plugin("undocumented.py", "class Thing: pass")
     plugin("not_python.py", "class Thing(:")
     plugin("binary.py", "").write_bytes(b"\xff\xfe\x00")
-    plugin("broken_package/__init__.py", "raise RuntimeError('no licence')")
-    plugin("broken_package/module.py", 'class Thing: "Never reached."')
     assert Entry("thing", target, "third 1.0").summary() == ""
+
+
+def test_a_summary_is_read_without_running_the_package(plugin):
+    plugin("broken_package/__init__.py", "raise RuntimeError('no licence')")
+    plugin("broken_package/module.py", 'class Thing: "Found all the same."')
+    assert Entry("thing", "broken_package.module:Thing", "third 1.0").summary() == "Found all the same."
 
 
 def test_the_installed_plug_ins_are_found():

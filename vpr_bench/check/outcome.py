@@ -8,8 +8,6 @@ from vpr_bench.errors import one_line
 Result = Literal["pass", "fail", "skip", "expected failure"]
 """``skip``: there was nothing to check, or no sense in it; ``expected failure``: as the plug-in itself declares."""
 
-RESULTS: tuple[Result, ...] = ("pass", "fail", "skip", "expected failure")
-
 
 class Failed(AssertionError):  # noqa: N818 - it is no error of the check's
     """Raised by a check: this is wrong, in one or two lines."""

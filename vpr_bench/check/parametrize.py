@@ -72,11 +72,11 @@ def parametrize_with_checks(
     """
     import pytest
 
-    checks = METHOD_CHECKS.chosen(only)
-    examinations = [Examination(METHOD_CHECKS, Subject.of(method)) for method in methods]
+    wanted = None if only is None else list(only)
+    examinations = [Examination(METHOD_CHECKS, Subject.of(method), wanted) for method in methods]
     tests = [
         pytest.param(CheckOfMethod(examination, check.id), id=f"{examination.subject.id}-{check.id}")
         for examination in examinations
-        for check in checks
+        for check in examination.checks
     ]
     return pytest.mark.parametrize("check", tests)

@@ -37,8 +37,8 @@ class Suite(Generic[S]):
 
     Parameters
     ----------
-    modules : sequence of modules
-        Each has a tuple ``CHECKS``.
+    groups : sequences of Check
+        One after the other.
 
     Raises
     ------
@@ -90,13 +90,11 @@ class Suite(Generic[S]):
         return [check for check in self if not names or check.id in names]
 
 
-def check(
-    name: str, *builds_on: str
-) -> Callable[[Callable[[S], None]], Check[S]]:
-    """Make a check of the function below; the first line of its docstring says what must hold."""
+def check(name: str, *builds_on: str) -> Callable[[Callable[[S], None]], Check[S]]:
+    """Make a check of the function below; its docstring begins with "Check that" and says what must hold."""
 
     def make(function: Callable[[S], None]) -> Check[S]:
-        summary = (function.__doc__ or "").strip().partition("\n")[0].rstrip(".")
+        summary = (function.__doc__ or "").strip().partition("\n")[0].removeprefix("Check that ").rstrip(".")
         return Check(name, summary, function, builds_on)
 
     return make

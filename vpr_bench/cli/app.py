@@ -5,6 +5,7 @@ from typing import Annotated
 import typer
 
 from vpr_bench.cli.bench import app as bench
+from vpr_bench.cli.check import app as check
 from vpr_bench.cli.data import app as data
 from vpr_bench.cli.doctor import doctor
 from vpr_bench.cli.listing import INFO_EXAMPLES, LIST_EXAMPLES, info, list_
@@ -47,6 +48,7 @@ app.command("info", epilog=INFO_EXAMPLES)(info)
 app.command("show", epilog=SHOW_EXAMPLES)(show)
 app.command("score", epilog=SCORE_EXAMPLES)(score)
 app.command("doctor")(doctor)
+app.add_typer(check, name="check")
 app.add_typer(data, name="data")
 app.add_typer(weights, name="weights")
 app.add_typer(bench, name="bench")

@@ -1,5 +1,6 @@
 """What the harness asks of a method, and the optional capabilities it looks for."""
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Protocol, Self, runtime_checkable
 
@@ -61,6 +62,15 @@ class Scoring(Protocol):
 
     def scores(self, image: NDArray[np.uint8]) -> NDArray[np.float32]:
         """Return the (N,) finite similarities of one (H, W, 3) uint8 RGB image to all references, higher is better."""
+        ...
+
+
+@runtime_checkable
+class Batched(Protocol):
+    """A method that answers many queries at once faster than one after the other."""
+
+    def match_batch(self, images: Sequence[NDArray[np.uint8]], k: int) -> list[Match]:
+        """Answer (H, W, 3) uint8 RGB queries, which may differ in size, as :meth:`Method.match` answers each."""
         ...
 
 

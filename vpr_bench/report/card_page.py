@@ -58,7 +58,7 @@ def _editions(card: Card) -> list[tuple[str, Overlay]]:
 def _edition(card: Card, name: str, edition: Overlay) -> list[str]:
     if isinstance(edition, EditionCard):
         folders = " or ".join(f"`<data root>/{folder}/`" for folder in edition.folders)
-        parts = [f"{edition.about}, in {folders}.".capitalize()]
+        parts = [f"{edition.about[:1].upper()}{edition.about[1:]}. It lies in {folders}."]
     else:
         parts = [
             "Rendered by vpr-bench in the layout of the real images, the same on every machine. Its numbers say "

@@ -15,8 +15,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from PIL import Image
 
-_DOTS, _LINES, _CELLS, _NUMBERED = 20_000, 200, 600, 40
-"""At most so many dots of a traverse, lines from a query, cells along an axis, and queries with a number."""
+_DOTS, _LINES, _NUMBERED = 20_000, 200, 40
+"""At most so many dots of a traverse, lines from a query, and queries with a number."""
+
+_CELLS = (120, 320)
+"""At most so many cells upwards and across: fewer than the plot has pixels, or some of them would not be drawn."""
 
 
 def draw_plots(case: Case, columns: Sequence[Column], width: int) -> "Image.Image":
@@ -179,7 +182,7 @@ def _draw_cells(axes: "Axes", pairs: GroundTruth, colour: str) -> None:
     from matplotlib.colors import to_rgba
 
     size = (max(pairs.n_references, 1), max(pairs.n_queries, 1))
-    rows, columns = (min(one, _CELLS) for one in size)
+    rows, columns = (min(one, most) for one, most in zip(size, _CELLS, strict=True))
     cells = np.zeros((rows, columns, 4))
     cells[pairs.references * rows // size[0], pairs.query_of_pair * columns // size[1]] = to_rgba(colour)
     extent = (-0.5, size[1] - 0.5, -0.5, size[0] - 0.5)

@@ -25,7 +25,7 @@ class SeqSlam(SequenceWrapper):
     A reference's score is the mean contrasted similarity along the straight line that ends there, at the velocity
     that fits best. The published search knows frames before and after; ours is causal unless ``future`` is set.
     ``contrast`` was chosen on the real Gardens Point day_left-day_right and the simulated day and night (real nights
-    and Nordland were kept for testing), the velocities are the paper's.
+    and Nordland had no vote), the velocities are the paper's.
 
     Parameters
     ----------

@@ -2,6 +2,7 @@
 
 import time
 from functools import cache
+from typing import Any
 
 import numpy as np
 import torch
@@ -68,31 +69,42 @@ class RoughProducts:
         """
         kind, error = self._stacked.dtype, _ERROR[self._stacked.dtype]
         found = np.empty((len(self._stacked), len(query)), dtype=np.bool_)
-        with torch.inference_mode():
-            columns = torch.from_numpy(query).to(kind).T
-            room = torch.empty((_IMAGES * self._rows, len(query)), dtype=kind)
-            for start in range(0, len(found), _IMAGES):
-                block = self._stacked[start : start + _IMAGES].view(-1, LENGTH)
-                product = torch.mm(block, columns, out=room[: len(block)]).view(-1, self._rows, len(query))
-                first, second = _two_best(product)
-                passes = first + error > 1 - ratio**2 * (1 - second + error)
-                found[start : start + _IMAGES] = passes.numpy()
+        columns = torch.from_numpy(query).to(kind).T
+        room = torch.empty((_IMAGES * self._rows, len(query)), dtype=kind)
+        for start in range(0, len(found), _IMAGES):
+            block = self._stacked[start : start + _IMAGES].view(-1, LENGTH)
+            product = torch.mm(block, columns, out=room[: len(block)]).view(-1, self._rows, len(query))
+            first, second = _two_best(product)
+            found[start : start + _IMAGES] = first + error > 1 - ratio**2 * (1 - second + error)
         return found
 
 
-def _two_best(product: torch.Tensor) -> tuple[torch.Tensor, torch.Tensor]:
+def _two_best(product: torch.Tensor) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the highest of (images, rows, m) products along the rows, and one not above the second highest.
 
-    The rows are dealt into 16 groups, and the two best groups' maxima are taken: one pass over all products instead
-    of a sort. The second is too low where the two best rows fell into the same group.
+    The rows are dealt into 16 groups, whose maxima play a knock-out: one pass over all products instead of a sort.
+    The second is too low where the two best rows fell into the same group.
     """
     images, rows, columns = product.shape
-    # Bit patterns of numbers that are not negative sort as the numbers do, and integers are compared faster.
-    sortable = product.view(torch.int16) if product.dtype == torch.bfloat16 else product
-    groups = sortable.view(images, rows // _GROUPS, _GROUPS, columns).amax(dim=1)
-    first, where = groups.max(dim=1)
-    second = groups.scatter_(1, where.unsqueeze(1), 0).amax(dim=1)
-    return first.view(product.dtype).float(), second.view(product.dtype).float()
+    rounded = product.dtype == torch.bfloat16
+    # Bit patterns of numbers that are not negative sort as the numbers do, and integers are compared faster. NumPy
+    # compares as fast as torch, and starts no threads for so little work, which would wait for each other.
+    values = (product.view(torch.int16) if rounded else product).numpy()
+    first = values.reshape(images, rows // _GROUPS, _GROUPS, columns).max(axis=1)
+    second = np.zeros_like(first)
+    while first.shape[1] > 1:
+        half = first.shape[1] // 2
+        left, right = first[:, :half], first[:, half:]
+        second = np.maximum(np.minimum(left, right), np.maximum(second[:, :half], second[:, half:]))
+        first = np.maximum(left, right)
+    return _numbers(first[:, 0]), _numbers(second[:, 0])
+
+
+def _numbers(values: NDArray[Any]) -> NDArray[np.float32]:
+    """Turn the bits of bfloat16 into float32; float32 stays."""
+    if values.dtype == np.float32:
+        return values
+    return (values.astype(np.uint32) << np.uint32(16)).view(np.float32)
 
 
 @cache

@@ -193,8 +193,8 @@ MATERIALS: dict[str, tuple[Colour, Callable[[Canvas, Dice], None]]] = {
     "cycle lane": ((142, 92, 84), _loose(18, 1.0)),
     "cycle path": ((152, 116, 106), _fine),
     "soil": ((120, 104, 84), _loose(40, 0.4)),
-    "clinker": ((140, 96, 80), _stones(0.17, 0.34, 44, 36)),
-    "setts": ((116, 110, 106), _stones(0.25, 0.34, 50, 44)),
+    "clinker": ((130, 106, 96), _stones(0.17, 0.34, 26, 28)),
+    "setts": ((122, 118, 114), _stones(0.25, 0.34, 32, 32)),
     "quay": ((166, 160, 150), _stones(4.0, 1.4, 22, 60)),
 }
 """Colour and pattern of every material."""

@@ -6,6 +6,7 @@ A position is given as ``(s, t)``: metres along the path, and metres to its left
 
 from dataclasses import dataclass
 from math import floor, sqrt
+from zlib import crc32
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,11 @@ class Course:
     y: NDArray[np.float64]
     slope: NDArray[np.float64]
     arc: NDArray[np.float64]
+
+    @property
+    def key(self) -> int:
+        """A number for what belongs to this course: the same for all traverses of a place."""
+        return crc32(self.y.tobytes())
 
     @property
     def stop(self) -> float:

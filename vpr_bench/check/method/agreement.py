@@ -55,9 +55,7 @@ def agree(one: Match, other: Match) -> bool:
         return False
     here, there = (dict(zip(match.indices.tolist(), match.scores.tolist(), strict=True)) for match in (one, other))
     last = float(min(one.scores[-1], other.scores[-1]))  # of equal scores at the end, either may have been kept
-    return all(
-        abs(here.get(place, last) - there.get(place, last)) <= 2 * room for place in here.keys() | there.keys()
-    )
+    return all(abs(here.get(place, last) - there.get(place, last)) <= 2 * room for place in here.keys() | there.keys())
 
 
 def _identical(one: Match, other: Match) -> bool:

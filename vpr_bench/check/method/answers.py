@@ -43,7 +43,7 @@ def _fault(answer: Any, n_references: int, k: int) -> str:
 
 @check("answers-are-matches", "declares-parameters")
 def answers_are_matches(subject: Subject) -> None:
-    """Indices are unique and inside the map, scores finite and non-increasing, and there are at most k."""
+    """Check that answers are at most k, indices unique and inside the map, scores finite and not increasing."""
     expect_matches(subject.usual_answers, PLACES, ANSWERS)
     method = subject.make()
     fit(method, usual_map())
@@ -53,7 +53,7 @@ def answers_are_matches(subject: Subject) -> None:
 
 @check("more-asked-than-there-are", "answers-are-matches")
 def more_asked_than_there_are(subject: Subject) -> None:
-    """A k that is larger than the map is no fault."""
+    """Check that a k that is larger than the map does no harm."""
     method, size = subject.make(), 3
     fit(method, as_map(picture(place) for place in range(size)))
     what = f"with k larger than the map of {size}"
@@ -63,7 +63,7 @@ def more_asked_than_there_are(subject: Subject) -> None:
 
 @check("map-of-one", "answers-are-matches")
 def map_of_one(subject: Subject) -> None:
-    """A map may have a single reference."""
+    """Check that a map may have a single reference."""
     method, what = subject.make(), "on a map of one"
     fit(method, as_map([picture(0)]), what)
     expect_matches(ask(method, revisited([0, 1]), 1, what), 1, 1, what)

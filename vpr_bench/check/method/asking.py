@@ -5,7 +5,7 @@ from contextlib import contextmanager
 
 from vpr_bench.check.examination import in_words
 from vpr_bench.check.method.world import Image
-from vpr_bench.check.outcome import Failed
+from vpr_bench.check.outcome import Failed, Skipped
 from vpr_bench.method.interfaces import Foresighted, Method, frames_ahead, is_sequential
 from vpr_bench.types.match import Match
 from vpr_bench.types.traverse import Traverse
@@ -16,7 +16,7 @@ def blaming_method(doing: str) -> Iterator[None]:
     """Turn what a method raises inside the ``with`` block into a failure that says what it was doing."""
     try:
         yield
-    except Failed:
+    except (Failed, Skipped):
         raise
     except Exception as error:
         raise Failed(f"{doing} raises {in_words(error)}") from error

@@ -21,14 +21,14 @@ def _expect_answers(subject: Subject, references: Sequence[Image], queries: Sequ
 
 @check("grey-images", "answers-are-matches")
 def grey_images(subject: Subject) -> None:
-    """Images without colour are images: three equal channels."""
+    """Check that images may be without colour: three equal channels."""
     first, second = (np.repeat(picture(place)[:, :, :1], 3, axis=2) for place in (0, 1))
     _expect_answers(subject, [first, second, picture(2)], [second, picture(2, again=True)], "grey images")
 
 
 @check("odd-sizes", "answers-are-matches")
 def odd_sizes(subject: Subject) -> None:
-    """Images may be upright, of odd width, tiny, and of another size than their neighbours."""
+    """Check that images may be upright, of odd width, tiny, and of another size than their neighbours."""
     references = [picture(place, width=width, height=height) for place, (width, height) in enumerate(_SIZES)]
     queries = [
         picture(place, again=True, width=width, height=height) for place, (width, height) in enumerate(_SIZES[::-1])
@@ -38,9 +38,11 @@ def odd_sizes(subject: Subject) -> None:
 
 @check("featureless-images", "answers-are-matches")
 def featureless_images(subject: Subject) -> None:
-    """A tunnel is black and fog is white: to both there is a valid answer."""
+    """Check that there is a valid answer to an image that is all black, as in a tunnel, or all white."""
     black, white = np.zeros((HEIGHT, WIDTH, 3), np.uint8), np.full((HEIGHT, WIDTH, 3), 255, np.uint8)
-    _expect_answers(subject, [picture(0), black, white], [black, white, picture(0, again=True)], "black or white images")
+    _expect_answers(
+        subject, [picture(0), black, white], [black, white, picture(0, again=True)], "black or white images"
+    )
 
 
 CHECKS = (grey_images, odd_sizes, featureless_images)

@@ -37,7 +37,7 @@ class _Lent:
 
 @check("input-unmodified", "answers-are-matches")
 def input_unmodified(subject: Subject) -> None:
-    """References and queries are left as they are, and may be read-only."""
+    """Check that references and queries are left as they are, and may be read-only."""
     sources = [picture(place) for place in range(3)]
     lent = _Lent(writable=True), _Lent(writable=True)
     method = subject.make()

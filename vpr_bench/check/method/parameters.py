@@ -11,7 +11,7 @@ from vpr_bench.method.build import build_method
 
 @check("declares-parameters")
 def declares_parameters(subject: Subject) -> None:
-    """What stands in a result about the parameters makes the same method again."""
+    """Check that what stands in a result about the parameters makes the same method again."""
     built = subject.build()
     if built is None or subject.name is None:
         subject.make()

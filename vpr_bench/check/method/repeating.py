@@ -13,7 +13,7 @@ from vpr_bench.method.interfaces import Batched, is_sequential
 
 @check("same-seed-same-answer", "answers-are-matches")
 def same_seed_same_answer(subject: Subject) -> None:
-    """Two new methods of the same parameters and seed answer the same, bit by bit."""
+    """Check that two new methods of the same parameters and seed answer the same, bit by bit."""
     method = subject.make()
     fit(method, usual_map())
     again = ask(method, usual_queries(), ANSWERS)
@@ -22,7 +22,7 @@ def same_seed_same_answer(subject: Subject) -> None:
 
 @check("batch-equals-single", "same-seed-same-answer")
 def batch_equals_single(subject: Subject) -> None:
-    """A batch of queries is answered as one query after the other."""
+    """Check that a batch of queries is answered as one query after the other."""
     method = subject.make()
     if not isinstance(method, Batched):
         raise Skipped("it has no match_batch")
@@ -36,7 +36,7 @@ def batch_equals_single(subject: Subject) -> None:
 
 @check("refit-forgets", "same-seed-same-answer")
 def refit_forgets(subject: Subject) -> None:
-    """Fitting again forgets the former map, whether it was larger or smaller."""
+    """Check that fitting again forgets the former map, whether it was larger or smaller."""
     small, queries = as_map(picture(place) for place in (101, 102, 103)), revisited([102, 1])
     method, other = subject.make(), subject.make()
     fit(other, small)
@@ -52,7 +52,7 @@ def refit_forgets(subject: Subject) -> None:
 
 @check("reset-forgets", "same-seed-same-answer")
 def reset_forgets(subject: Subject) -> None:
-    """After a reset, a sequence method knows nothing of the queries before."""
+    """Check that after a reset a sequence method knows nothing of the queries before."""
     method = subject.make()
     if not is_sequential(method):
         raise Skipped("it is not sequential")

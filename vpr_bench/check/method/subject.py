@@ -15,9 +15,7 @@ from vpr_bench.method.build import BuiltMethod, build_method
 from vpr_bench.method.interfaces import Method
 from vpr_bench.types.match import Match
 
-MethodLike: TypeAlias = (
-    str | type[Any] | Callable[[], Method] | tuple[str | type[Any], Mapping[str, Any]]
-)
+MethodLike: TypeAlias = str | type[Any] | Callable[[], Method] | tuple[str | type[Any], Mapping[str, Any]]
 """A name as on the command line, a class, a function that makes a new one each time, or one of the first two with its
 parameters."""
 
@@ -110,9 +108,9 @@ class Subject:
 def _importable(method: type) -> str:
     """Return ``module:Class``; a class that no module holds, as one made by a function, is put into one of its own."""
     module, name = method.__module__, method.__qualname__
-    if name.isidentifier() and getattr(sys.modules.get(module), name, None) is method:
-        if all(part.isidentifier() for part in module.split(".")):
-            return f"{module}:{name}"
+    writable = all(part.isidentifier() for part in [*module.split("."), name])
+    if writable and getattr(sys.modules.get(module), name, None) is method:
+        return f"{module}:{name}"
     holder = ModuleType(f"{_LOCAL}{id(method):x}")
     setattr(holder, method.__name__, method)
     sys.modules[holder.__name__] = holder

@@ -111,6 +111,15 @@ def put_house(
     return house
 
 
+def put_across(
+    stage: Stage, seed: int, number: int, style: str, side: int, s: float, width: float, t: float, ground: Texture
+) -> None:
+    """Put up a house at a corner, whose front looks back along the path."""
+    house = draw_house(seed, number, style, width)
+    wall_across(stage, s, t, width, 0, GROUND, ground, side)
+    wall_across(stage, s, t, width, GROUND, house.high, paint_upper(seed, number, style, width, 212), side)
+
+
 def _put_roof(stage: Stage, house: House, side: int, s: float, t: float) -> None:
     """Let the roof show behind the gable, its ridge at right angles to the street; or along it behind a cornice."""
     rise = house.width * 0.55

@@ -15,7 +15,9 @@ PLACES = ("HAMBURG", "DRESDEN", "MESSE", "FUNKTURM", "WEDDING", "SCHONEBERG", "S
           "TEMPELHOF", "STEGLITZ", "WILMERSDORF", "SCHMARGENDORF", "SIEMENSDAMM")  # fmt: skip
 
 
-def along(stage: Stage, side: int, start: float, stop: float, t: float, low: float, high: float, texture: Texture) -> None:
+def along(
+    stage: Stage, side: int, start: float, stop: float, t: float, low: float, high: float, texture: Texture
+) -> None:
     """Put up a wall along the road that is seen from both sides; it follows the bend."""
     ends = ((start, side * t), (stop, side * t))
     stage.wall(*(ends if side > 0 else ends[::-1]), low, high, texture, "both")
@@ -82,7 +84,9 @@ def guide(dice: Dice, width: float, high: float) -> Canvas:
         word = dice.pick(PLACES)
         canvas.text(width * 0.22, high - 0.85 - row * 0.75, min(0.46, width * 0.74 / len(word) * 1.15), word, WHITE)
     canvas.rect(width * 0.1, 0.35, 0.14, high * 0.5, WHITE)
-    canvas.polygon([(width * 0.1 - 0.16, high * 0.5), (width * 0.1 + 0.3, high * 0.5), (width * 0.1 + 0.07, high * 0.72)], WHITE)
+    canvas.polygon(
+        [(width * 0.1 - 0.16, high * 0.5), (width * 0.1 + 0.3, high * 0.5), (width * 0.1 + 0.07, high * 0.72)], WHITE
+    )
     if dice.chance(0.5):
         canvas.rect(width * 0.72, 0.2, width * 0.2, 0.42, WHITE)
         canvas.text(width * 0.74, 0.28, 0.26, dice.pick(("A100", "A115", "A111")), BLUE)
@@ -165,7 +169,9 @@ def put_block(stage: Stage, dice: Dice, side: int, s: float, t: float, low: floa
             for number in range(int(span / bay)):
                 glow = 90 + dice.below(140) if dice.chance(0.3) else 8
                 pane = tinted(dice, (70, 82, 92), 14)
-                canvas.rect(number * bay + bay * (1 - wide) / 2, storey * tall + 0.9, bay * wide, tall * 0.5, pane, glow)
+                canvas.rect(
+                    number * bay + bay * (1 - wide) / 2, storey * tall + 0.9, bay * wide, tall * 0.5, pane, glow
+                )
                 if number % 3 == 1:
                     canvas.rect(number * bay, storey * tall + 0.1, bay, 0.8, accent)
         canvas.rect(0, high - 0.6, span, 0.6, toned(colour, 190))

@@ -18,7 +18,14 @@ RENDER: tuple[Colour, ...] = (
     (206, 204, 198), (190, 182, 164), (214, 208, 186), (170, 172, 172), (200, 186, 150), (156, 168, 172),
 )  # fmt: skip
 TILES: tuple[Colour, ...] = ((138, 80, 62), (120, 70, 58), (76, 78, 84), (96, 88, 84), (150, 94, 70))
-ACCENTS: tuple[Colour, ...] = ((170, 60, 50), (52, 92, 140), (214, 160, 60), (80, 120, 90), (220, 218, 210), (70, 74, 80))
+ACCENTS: tuple[Colour, ...] = (
+    (170, 60, 50),
+    (52, 92, 140),
+    (214, 160, 60),
+    (80, 120, 90),
+    (220, 218, 210),
+    (70, 74, 80),
+)
 
 GROUND = 4.2
 """Height of the ground floor in metres."""
@@ -109,7 +116,12 @@ def _fire_wall(dice: Dice, house: House, depth: float, words: tuple[str, ...]) -
 
 def _heads(dice: Dice, storeys: int) -> list[str]:
     """Choose what crowns the windows of each storey: the first floor has most, the last hardly any."""
-    return [dice.pick(("gable", "arch", "flat")), *[dice.pick(("flat", "stone", "none"))] * (storeys - 3), "none", "none"]
+    return [
+        dice.pick(("gable", "arch", "flat")),
+        *[dice.pick(("flat", "stone", "none"))] * (storeys - 3),
+        "none",
+        "none",
+    ]
 
 
 def _stucco(dice: Dice, house: House, width: float) -> Canvas:
@@ -204,7 +216,9 @@ def _glass(dice: Dice, house: House, width: float) -> Canvas:
             glow = 100 + dice.below(120) if dice.chance(0.4) else 8
             pane = toned(tint, 190 + dice.below(130))
             canvas.rect(number * bay, y + 0.8, bay, house.tall - 0.8, pane, glow)
-            canvas.rect(number * bay, y + 0.8 + (house.tall - 0.8) * dice.between(0.4, 0.8), bay, 0.9, toned(pane, 285), glow)
+            canvas.rect(
+                number * bay, y + 0.8 + (house.tall - 0.8) * dice.between(0.4, 0.8), bay, 0.9, toned(pane, 285), glow
+            )
             canvas.rect(number * bay - 0.04, y, 0.08, house.tall, toned(house.trim, 170))
         canvas.rect(0, y + 0.75, width, 0.08, toned(house.trim, 200))
     return canvas
@@ -304,4 +318,6 @@ def _put_roof(stage: Stage, dice: Dice, house: House, side: int, s: float, width
     texture = chimney.bake()
     for _ in range(dice.below(3)):
         place = s + dice.between(1.0, width - 1.0)
-        wall_along(stage, side, place, place + 0.9, t + 3.0, house.eaves + 1.0, house.eaves + dice.between(3.4, 4.6), texture)
+        wall_along(
+            stage, side, place, place + 0.9, t + 3.0, house.eaves + 1.0, house.eaves + dice.between(3.4, 4.6), texture
+        )

@@ -132,7 +132,9 @@ def column(dice: Dice) -> Canvas:
     # The edges of a cylinder turn away from the light.
     for number in range(columns):
         away = abs(2 * number - columns) * 100 // columns
-        canvas.rgb[:, number] = (canvas.rgb[:, number].astype("uint16") * (256 - away * away // 90) >> 8).astype("uint8")
+        canvas.rgb[:, number] = (canvas.rgb[:, number].astype("uint16") * (256 - away * away // 90) >> 8).astype(
+            "uint8"
+        )
     return canvas
 
 
@@ -164,7 +166,13 @@ def switch_box(dice: Dice, width: float, high: float) -> Canvas:
     canvas = Canvas(width, high, 44.0, tinted(dice, (150, 150, 142), 12))
     canvas.frame(0, 0, width, high, 0.04, (110, 110, 104))
     for _ in range(5):
-        canvas.rect(dice.between(0.05, width - 0.2), dice.between(0.2, high - 0.2), 0.14, 0.12, tinted(dice, dice.pick(GOODS), 20))
+        canvas.rect(
+            dice.between(0.05, width - 0.2),
+            dice.between(0.2, high - 0.2),
+            0.14,
+            0.12,
+            tinted(dice, dice.pick(GOODS), 20),
+        )
     x, y, colour = 0.1, high * 0.5, dice.pick(((30, 40, 120), (150, 30, 60), (30, 30, 32)))
     for _ in range(8):
         left, up = min(x + dice.between(0.0, 0.25), width), min(max(y + dice.between(-0.3, 0.3), 0.1), high)

@@ -53,6 +53,12 @@ class Profile:
     walks: tuple[float, ...]
     fronts: tuple[float, float]
 
+    def verge(self, side: int) -> float:
+        """Return the distance, on one side, of where lamps and signs stand: beyond the kerb and a cycle path."""
+        kerb = abs(self.kerbs[0] if side < 0 else self.kerbs[1])
+        outer = [max(abs(low), abs(high)) for low, high in self.cycles if (low > 0) == (side > 0)]
+        return max([kerb, *outer])
+
     def front(self, side: int) -> float:
         """Return the distance of the fronts on one side."""
         return self.fronts[0] if side < 0 else self.fronts[1]
@@ -66,8 +72,8 @@ BOULEVARD = Profile(
     lanes=(Lane(2.75, True), Lane(-0.55, True), Lane(-3.9, True, "buses"), Lane(11.1, False), Lane(14.3, False),
            Lane(17.7, False, "buses")),
     parked=(Lane(5.5, True), Lane(8.3, False)),
-    cycles=((-8.5, -6.9), (20.6, 22.2)),
-    trees=(-9.7, 6.9, 23.4),
+    cycles=((-7.5, -6.0), (19.8, 21.3)),
+    trees=(-9.4, 6.9, 23.2),
     walks=(-13.0, -11.6, 25.0, 26.4),
     fronts=(15.2, 28.0),
 )  # fmt: skip
@@ -132,7 +138,11 @@ def _between(profile: Profile) -> tuple[Band, ...]:
 
 def _carriageway(profile: Profile) -> list[Band]:
     right, left = profile.kerbs
-    bands = [Band(right - 0.3, left + 0.3, "kerbstone"), Band(right, left, "gutter"), Band(right + 0.35, left - 0.35, "tarmac")]
+    bands = [
+        Band(right - 0.3, left + 0.3, "kerbstone"),
+        Band(right, left, "gutter"),
+        Band(right + 0.35, left - 0.35, "tarmac"),
+    ]
     for low, high in profile.islands:
         bands += [Band(low, high, "kerbstone"), Band(low + 0.3, high - 0.3, "cobbles")]
         bands.append(Band((low + high) / 2 - 0.5, (low + high) / 2 + 0.5, "grass"))

@@ -52,12 +52,12 @@ def _plant(stage: Stage, dice: Dice, trees: list[Texture], t: float, junctions: 
 
 def _light(stage: Stage, dice: Dice, profile: Profile, length: float) -> None:
     """Stand lamp posts at regular distances."""
-    right, left = profile.kerbs
+    right, left = -profile.verge(-1), profile.verge(1)
     tall = dice.between(6.5, 8.5)
     posts = [kit.lamp(dice, tall).bake() for _ in range(2)]
     s = -15.0
     while s < length:
-        for t, way in ((right - 0.9, -1), (left + 0.9, 1)):
+        for t, way in ((right - 0.6, -1), (left + 0.6, 1)):
             stage.cutout(s, t, 4.4 * way, tall, dice.pick(posts))
             stage.lamp(s, t - way * 1.5, tall - 0.3, 1.6)
         s += 31.0
@@ -65,7 +65,7 @@ def _light(stage: Stage, dice: Dice, profile: Profile, length: float) -> None:
 
 def _guard(stage: Stage, dice: Dice, profile: Profile, junction: tuple[float, float]) -> None:
     """Put lights and names at a junction."""
-    right, left = profile.kerbs
+    right, left = -profile.verge(-1), profile.verge(1)
     first, last = junction
     light, mast = kit.traffic_light(dice).bake(), kit.mast_light().bake()
     ahead = ((first - 4.4, right - 0.5), (last + 3.6, right - 0.5), (first - 4.4, left + 0.5), (last + 3.6, left + 0.5))
@@ -80,7 +80,7 @@ def _guard(stage: Stage, dice: Dice, profile: Profile, junction: tuple[float, fl
 
 def _put_piece(stage: Stage, dice: Dice, profile: Profile, signs: list[Texture], side: int, s: float) -> None:
     """Put one thing on the pavement: most of them at the kerb, some before the houses."""
-    edge = abs(profile.kerbs[0] if side < 0 else profile.kerbs[1]) + dice.between(0.5, 0.9)
+    edge = profile.verge(side) + dice.between(0.4, 0.8)
     front = profile.front(side)
     kind = dice.below(17)
     if kind <= 3:
@@ -100,14 +100,18 @@ def _put_piece(stage: Stage, dice: Dice, profile: Profile, signs: list[Texture],
         bicycles = [props.bicycle(dice).bake() for _ in range(3)]
         for number in range(3 + dice.below(4)):
             place = s + number * 0.8
-            stage.wall((place, side * (edge + 1.5)), (place + 0.4, side * (edge + 0.2)), 0, 1.1, dice.pick(bicycles), "both")
+            stage.wall(
+                (place, side * (edge + 1.5)), (place + 0.4, side * (edge + 0.2)), 0, 1.1, dice.pick(bicycles), "both"
+            )
     elif kind == 10:
         post = plain(dice.pick(((60, 62, 66), (120, 40, 36), (190, 188, 180))), dice)
         for number in range(4):
             stage.box(s + number * 1.3, side * edge, 0.14, 0.14, 0.95, post, post, post)
     elif kind <= 12:
         for number in range(1 + dice.below(3)):
-            stage.cutout(s + number * 3.2, side * (front - dice.between(1.6, 2.6)), 3.2, 2.6, props.parasol(dice).bake())
+            stage.cutout(
+                s + number * 3.2, side * (front - dice.between(1.6, 2.6)), 3.2, 2.6, props.parasol(dice).bake()
+            )
     elif kind == 13:
         wide = 1.9
         board, post = kit.poster(dice, wide, 2.4).bake(), plain((84, 86, 88), dice)

@@ -12,7 +12,7 @@ from vpr_datasets.simulation.lots import plain, wall_across, wall_along
 from vpr_datasets.simulation.materials import brick, plaster, tinted, toned
 from vpr_datasets.simulation.spec import Epoch
 from vpr_datasets.simulation.stage import Stage
-from vpr_datasets.simulation.texture import Canvas, Texture
+from vpr_datasets.simulation.texture import Canvas, Colour, Texture
 
 DENSITY = 32.0
 
@@ -74,7 +74,7 @@ def _shop(canvas: Canvas, dice: Dice, house: House, *, left: bool) -> None:
     canvas.rect(start, 0.45, room, 2.2, tinted(dice, (88, 84, 80), 18), 150)
     for _ in range(int(room * 6)):
         canvas.rect(dice.between(start, start + room - 0.3), dice.pick((0.5, 1.0, 1.5)), dice.between(0.1, 0.35),
-                    dice.between(0.15, 0.45), tinted(dice, dice.pick(GOODS), 20), 150)  # fmt: skip
+                    dice.between(0.15, 0.45), _behind_glass(tinted(dice, dice.pick(GOODS), 20)), 150)  # fmt: skip
     for number in range(1 + int(room / 1.8)):
         canvas.rect(min(start + number * 1.8, start + room - 0.06), 0.45, 0.06, 2.2, frame)
     board = tinted(dice, dice.pick(BOARDS), 10)
@@ -82,6 +82,12 @@ def _shop(canvas: Canvas, dice: Dice, house: House, *, left: bool) -> None:
     name = dice.pick(DUTCH)
     tall = min(0.34, (house.width - 0.8) / len(name) * 1.1)
     canvas.text(0.45, 2.8, tall, name, ink_on(board))
+
+
+def _behind_glass(colour: Colour) -> Colour:
+    """Return a colour as it looks through a pane that mirrors the street."""
+    red, green, blue = colour
+    return (red + 170) // 3, (green + 172) // 3, (blue + 176) // 3
 
 
 def _old_shop(canvas: Canvas, dice: Dice, house: House, *, left: bool) -> None:
@@ -103,7 +109,9 @@ def _old_shop(canvas: Canvas, dice: Dice, house: House, *, left: bool) -> None:
     canvas.rect(0.25, 2.68, house.width - 0.5, 0.5, dice.pick(((30, 30, 32), (220, 214, 196), (60, 30, 28))))
     name = dice.pick(DUTCH)
     dark = int(canvas.rgb[canvas.area(0.3, 2.9, 0.1, 0.1)][0, 0, 0]) < 120
-    canvas.text(0.45, 2.78, min(0.32, (house.width - 0.8) / len(name) * 1.1), name, (226, 214, 170) if dark else (40, 36, 32))
+    canvas.text(
+        0.45, 2.78, min(0.32, (house.width - 0.8) / len(name) * 1.1), name, (226, 214, 170) if dark else (40, 36, 32)
+    )
 
 
 def put_stoop(stage: Stage, dice: Dice, house: House, style: str, epoch: Epoch, side: int, s: float, t: float) -> None:

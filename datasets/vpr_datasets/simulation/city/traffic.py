@@ -18,7 +18,9 @@ def draw_fleet(dice: Dice, cars: int, *, heavy: bool = False) -> list[Vehicle]:
     return fleet + ([lorry(dice) for _ in range(cars // 4 + 1)] if heavy else [])
 
 
-def line_up(stage: Stage, dice: Dice, traverse: TraverseSpec, profile: Profile, length: float, junctions: Junctions) -> None:
+def line_up(
+    stage: Stage, dice: Dice, traverse: TraverseSpec, profile: Profile, length: float, junctions: Junctions
+) -> None:
     """Park cars bumper to bumper, with gaps."""
     fleet = draw_fleet(dice, 20)
     for row in profile.parked:

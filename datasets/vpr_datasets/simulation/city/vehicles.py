@@ -156,7 +156,9 @@ def car(dice: Dice) -> Vehicle:
     lean, tail = 0.75, 0.5 if kind != 1 else 0.2
     tall = high - belt
     cabin.polygon([(0, 0), (span, 0), (span - lean, tall), (tail, tall)], toned(colour, 240))
-    cabin.polygon([(0.2, 0.04), (span - 0.28, 0.04), (span - lean - 0.05, tall - 0.08), (tail + 0.1, tall - 0.08)], GLASS)
+    cabin.polygon(
+        [(0.2, 0.04), (span - 0.28, 0.04), (span - lean - 0.05, tall - 0.08), (tail + 0.1, tall - 0.08)], GLASS
+    )
     cabin.polygon([(span * 0.5, 0.04), (span - 0.28, 0.04), (span - lean - 0.05, tall - 0.08),
                    (span * 0.5, tall - 0.08)], (58, 68, 78))  # fmt: skip
     for x in (span * 0.3, span * 0.52):
@@ -182,12 +184,22 @@ def car(dice: Dice) -> Vehicle:
 
 def van(dice: Dice) -> Vehicle:
     """Draw a delivery van with a firm's name on it."""
-    colour = tinted(dice, dice.pick(((232, 232, 230), (232, 232, 230), (196, 198, 200), YELLOW, (40, 60, 110), (120, 124, 128))), 6)
+    colour = tinted(
+        dice, dice.pick(((232, 232, 230), (232, 232, 230), (196, 198, 200), YELLOW, (40, 60, 110), (120, 124, 128))), 6
+    )
     length, width, high, nose = dice.between(4.8, 5.9), 2.0, dice.between(1.95, 2.6), 0.9
     flank = Canvas(length - nose, high, DENSITY)
     flank.rect(0, 0.3, length, high - 0.3, colour)
     flank.rect(0, 0.3, length, 0.2, (60, 60, 62))
-    flank.polygon([(length - nose - 1.0, 1.15), (length - nose, 1.15), (length - nose - 0.4, high - 0.25), (length - nose - 1.0, high - 0.25)], GLASS)
+    flank.polygon(
+        [
+            (length - nose - 1.0, 1.15),
+            (length - nose, 1.15),
+            (length - nose - 0.4, high - 0.25),
+            (length - nose - 1.0, high - 0.25),
+        ],
+        GLASS,
+    )
     flank.rect(length - nose - 1.1, 0.4, 0.03, high - 0.5, toned(colour, 170))
     firm = 0.5, high * 0.55, 0.34, dice.pick(ADVERTS), dice.pick(((180, 40, 40), (30, 70, 150), (40, 44, 48)))
     flank.rect(0.5, high * 0.46, dice.between(1.0, 2.4), 0.06, dice.pick(((180, 40, 40), (30, 70, 150))))
@@ -219,7 +231,10 @@ def van(dice: Dice) -> Vehicle:
 def lorry(dice: Dice) -> Vehicle:
     """Draw a lorry with a box or tarpaulin."""
     length, width, high, cab = dice.between(8.0, 12.5), 2.5, 3.7, 2.1
-    colour, paint = tinted(dice, dice.pick(((226, 226, 222), (30, 70, 130), (170, 44, 40), (64, 110, 70), (206, 190, 60))), 8), dice.pick(PAINTS)
+    colour, paint = (
+        tinted(dice, dice.pick(((226, 226, 222), (30, 70, 130), (170, 44, 40), (64, 110, 70), (206, 190, 60))), 8),
+        dice.pick(PAINTS),
+    )
     flank = Canvas(length - cab, high, 30.0)
     flank.rect(0, 0.55, length, 0.4, (56, 58, 60))
     flank.rect(0, 1.0, length - cab - 0.15, high - 1.0, colour)

@@ -4,7 +4,7 @@ from typing import Protocol
 
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.path import Course
-from vpr_datasets.simulation.scenes import campus, motorway, railway, street, suburb
+from vpr_datasets.simulation.scenes import campus, motorway, oldtown, railway, street, suburb
 from vpr_datasets.simulation.setting import Setting
 from vpr_datasets.simulation.spec import Epoch, Season, TraverseSpec
 from vpr_datasets.simulation.stage import Mover, Stage
@@ -35,10 +35,11 @@ SCENES: dict[str, Landscape] = {
     "street": street.street,
     "boulevard": street.boulevard,
     "motorway": motorway,
+    "oldtown": oldtown.today,
 }
 """By the name that a specification gives its scene."""
 
-EARLIER: dict[str, Landscape] = {}
+EARLIER: dict[str, Landscape] = {"oldtown": oldtown.archive}
 """How scenes looked when archive photographs were taken, where that differs."""
 
 
