@@ -17,17 +17,17 @@ def aged(image: NDArray[np.uint8], dice: Dice) -> NDArray[np.uint8]:
     """Turn an (H, W, 3) uint8 RGB picture into the scan of an old print of it; same shape."""
     grey = _print(image, dice)
     height, width = grey.shape
-    values = grey.astype(np.int32)
+    values: NDArray[np.int32] = grey.astype(np.int32)
     values += (value_noise(dice, height, width, 160, 3).astype(np.int32) - 128) * 26 >> 7
     values += (_grain(dice, height, width) * (9 + dice.below(10))) >> 7
     values -= values * _falloff(dice, height, width) >> 8
     grey = np.clip(values, 0, 255).astype(np.uint8)
     _scratch(grey, dice)
     tone = np.array(dice.pick(TONES), dtype=np.int32)
-    print_ = np.minimum(grey.astype(np.int32)[..., None] * tone >> 8, 255).astype(np.uint8)
+    picture: NDArray[np.uint8] = np.minimum(grey.astype(np.int32)[..., None] * tone >> 8, 255).astype(np.uint8)
     if dice.chance(0.3):
-        _mount(print_, dice)
-    return print_
+        _mount(picture, dice)
+    return picture
 
 
 def _print(image: NDArray[np.uint8], dice: Dice) -> NDArray[np.uint8]:
@@ -39,7 +39,7 @@ def _print(image: NDArray[np.uint8], dice: Dice) -> NDArray[np.uint8]:
     black, white = 18 + dice.below(34), 196 + dice.below(48)
     steep = 236 + dice.below(70)
     stretched = np.clip((grey.astype(np.int32) - 118) * steep // 256 + 118, 0, 255)
-    return (black + stretched * (white - black) // 255).astype(np.uint8)
+    return np.asarray(black + stretched * (white - black) // 255, dtype=np.uint8)
 
 
 def _grain(dice: Dice, height: int, width: int) -> NDArray[np.int32]:

@@ -9,7 +9,6 @@ _NETWORK = {"inner": "efficientnet-lite0", "inner.width": 64, "inner.height": 64
 
 CHECKED = [
     ("alexnet", {"width": 127, "height": 127, "weights": "random"}),
-    ("alexnet", {"width": 127, "height": 127, "weights": "random", "layer": "fc7", "centre": True}),
     ("efficientnet-lite0", _SMALL),
     "hmm",
     "hog",

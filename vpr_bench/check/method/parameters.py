@@ -19,7 +19,7 @@ def declares_parameters(subject: Subject) -> None:
     read = json.loads(json.dumps(built.parameters))
     again = build_method(subject.name, read).parameters
     for name, value in built.parameters.items():
-        if json.dumps(again[name]) != json.dumps(value):
+        if again[name] != value:
             raise Failed(f"the parameter {name} is {value!r}, but {again[name]!r} after it was read from a result")
         kept = getattr(built.method, name, value)
         if not _is_method(value) and kept != value:

@@ -6,7 +6,7 @@ from functools import lru_cache
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.city.gables import HEIGHTS, STONE, paint_gable
 from vpr_datasets.simulation.city.windows import sash
-from vpr_datasets.simulation.lots import plain, wall_across, wall_along
+from vpr_datasets.simulation.lots import wall_across, wall_along
 from vpr_datasets.simulation.materials import brick, plaster, tinted, toned
 from vpr_datasets.simulation.stage import Stage
 from vpr_datasets.simulation.texture import Canvas, Colour, Texture
@@ -155,8 +155,3 @@ def _slope(colour: Colour) -> Texture:
     canvas.polygon([(0, 0), (4.0, 0), (2.0, 3.0)], colour)
     brick(canvas, Dice(*colour, "slope"))
     return canvas.bake(190)
-
-
-def post(colour: Colour) -> Texture:
-    """Return a small texture of one colour."""
-    return plain(colour, Dice(*colour, "post"))

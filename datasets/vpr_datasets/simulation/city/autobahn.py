@@ -123,8 +123,13 @@ def put_bridge(stage: Stage, dice: Dice, s: float, right: float, left: float) ->
     concrete(beam, dice)
     beam.rect(0, deep - 0.25, span, 0.25, toned(colour, 280))
     if dice.chance(0.5):
-        beam.text(span * dice.between(0.3, 0.6), 0.25, deep * 0.5, dice.pick(("PAULSBORNER BR.", "1UP CREW", "RATHENAU", "KURFURSTEN")),
-                  (40, 42, 48))  # fmt: skip
+        beam.text(
+            span * dice.between(0.3, 0.6),
+            0.25,
+            deep * 0.5,
+            dice.pick(("PAULSBORNER BR.", "1UP CREW", "RATHENAU", "KURFURSTEN")),
+            (40, 42, 48),
+        )
     rail = Canvas(span, 1.2, 20.0)
     for number in range(int(span / 0.35)):
         rail.rect(number * 0.35, 0, 0.1, 1.2, (90, 100, 100))
@@ -157,8 +162,13 @@ def put_bridge(stage: Stage, dice: Dice, s: float, right: float, left: float) ->
 def put_block(stage: Stage, dice: Dice, side: int, s: float, t: float, low: float = 0.0) -> float:
     """Stand a block of flats or offices behind the barrier; returns its length."""
     length, high = dice.between(14, 44), dice.pick((14.0, 17.0, 20.0, 24.0, 34.0, 48.0))
-    colour = tinted(dice, dice.pick(((196, 188, 170), (176, 160, 140), (206, 204, 198), (150, 156, 160), (190, 150, 120),
-                                     (120, 130, 140))), 12)  # fmt: skip
+    colour = tinted(
+        dice,
+        dice.pick(
+            ((196, 188, 170), (176, 160, 140), (206, 204, 198), (150, 156, 160), (190, 150, 120), (120, 130, 140))
+        ),
+        12,
+    )
     accent = dice.pick(((170, 60, 50), (60, 90, 140), (210, 160, 70), (90, 120, 96), toned(colour, 200)))
     faces = []
     bay, wide, tall = dice.between(2.2, 4.0), dice.between(0.4, 0.85), dice.between(2.8, 3.4)

@@ -1,5 +1,7 @@
 """Outlines of the gables of Amsterdam's houses, and the tops that they are painted on."""
 
+from itertools import pairwise
+
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.materials import toned
 from vpr_datasets.simulation.texture import Canvas, Colour
@@ -22,11 +24,27 @@ def outline(kind: str, width: float, high: float) -> Outline:
             right += [(x, y), (half * (1 - (number + 1) / 4) + 0.1, y)]
         right.append((0.14 * half, high))
     elif kind == "neck":
-        right = [(half, 0.0), (half, 0.08 * high), (0.8 * half, 0.14 * high), (0.62 * half, 0.28 * high),
-                 (0.5 * half, 0.46 * high), (0.46 * half, 0.8 * high), (0.56 * half, 0.82 * high), (0.0, high)]  # fmt: skip
+        right = [
+            (half, 0.0),
+            (half, 0.08 * high),
+            (0.8 * half, 0.14 * high),
+            (0.62 * half, 0.28 * high),
+            (0.5 * half, 0.46 * high),
+            (0.46 * half, 0.8 * high),
+            (0.56 * half, 0.82 * high),
+            (0.0, high),
+        ]
     elif kind == "bell":
-        right = [(half, 0.0), (half, 0.06 * high), (0.78 * half, 0.16 * high), (0.6 * half, 0.36 * high),
-                 (0.5 * half, 0.6 * high), (0.46 * half, 0.78 * high), (0.34 * half, 0.92 * high), (0.0, high)]  # fmt: skip
+        right = [
+            (half, 0.0),
+            (half, 0.06 * high),
+            (0.78 * half, 0.16 * high),
+            (0.6 * half, 0.36 * high),
+            (0.5 * half, 0.6 * high),
+            (0.46 * half, 0.78 * high),
+            (0.34 * half, 0.92 * high),
+            (0.0, high),
+        ]
     elif kind == "spout":
         right = [(half, 0.0), (half, 0.06 * high), (0.2 * half, 0.86 * high), (0.2 * half, high)]
     else:
@@ -51,7 +69,7 @@ def paint_gable(canvas: Canvas, dice: Dice, kind: str, foot: float, colour: Colo
             canvas.rect(0.2 + number * 0.7, foot + high * 0.38, 0.22, high * 0.34, toned(STONE, 190))
         return
     bar = 0.16
-    for (x0, y0), (x1, y1) in zip(points, points[1:], strict=False):
+    for (x0, y0), (x1, y1) in pairwise(points):
         inset0, inset1 = min(max(x0, 0.08), width - 0.08), min(max(x1, 0.08), width - 0.08)
         canvas.line(inset0, foot + y0 - 0.06, inset1, foot + y1 - 0.06, bar, STONE)
     if kind in ("neck", "bell"):

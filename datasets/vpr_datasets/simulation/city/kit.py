@@ -102,8 +102,12 @@ def poster(dice: Dice, width: float, high: float, density: float = 44.0) -> Canv
     """Paint one advertisement."""
     ground = tinted(dice, dice.pick((*BOARDS, *GOODS)), 20)
     canvas = Canvas(width, high, density, ground)
-    canvas.disc(width * dice.between(0.3, 0.7), high * dice.between(0.5, 0.7), min(width, high) * dice.between(0.18, 0.32),
-                tinted(dice, dice.pick(GOODS), 20))  # fmt: skip
+    canvas.disc(
+        width * dice.between(0.3, 0.7),
+        high * dice.between(0.5, 0.7),
+        min(width, high) * dice.between(0.18, 0.32),
+        tinted(dice, dice.pick(GOODS), 20),
+    )
     canvas.rect(width * dice.between(0, 0.5), high * dice.between(0.2, 0.6), width * 0.4, high * dice.between(0.1, 0.3),
                 tinted(dice, dice.pick(GOODS), 20))  # fmt: skip
     word = dice.pick(ADVERTS)

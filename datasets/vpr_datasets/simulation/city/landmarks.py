@@ -30,8 +30,13 @@ def plant_square(
         stage.cutout(place, side * (front + dice.between(1.5, 8.0)), WIDE * size, TALL * size, dice.pick(trees))
     for _ in range(int(width * 0.8)):
         size = dice.between(0.6, 1.2)
-        stage.cutout(s + dice.between(0.8, width - 0.8), side * (front + dice.between(0.5, 4.0)), 2.4 * size, 1.6 * size,
-                     dice.pick(shrubs))  # fmt: skip
+        stage.cutout(
+            s + dice.between(0.8, width - 0.8),
+            side * (front + dice.between(0.5, 4.0)),
+            2.4 * size,
+            1.6 * size,
+            dice.pick(shrubs),
+        )
     if dice.chance(0.5):
         foot = plain((150, 146, 138), dice)
         stage.box(s + width / 2, side * (front + 2.0), 1.6, 1.6, 1.8, foot, foot, foot)

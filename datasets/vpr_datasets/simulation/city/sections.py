@@ -77,8 +77,12 @@ def pave(section: Section, dice: Dice) -> Floor:
         bands += [Band(-EDGE, EDGE, "void"), Band(-4.2, 4.2, "quay"), Band(-3.8, 3.8, "setts")]
         return Floor(section.start, section.stop, 2.0, base, base, base, tuple(bands))
     walk = 1.5 if section.kind != "street" else 0.9
-    bands += [Band(-right, -right + walk, "plates"), Band(left - walk, left, "plates"),
-              Band(-right + walk, -right + walk + 0.15, "kerbstone"), Band(left - walk - 0.15, left - walk, "kerbstone")]  # fmt: skip
+    bands += [
+        Band(-right, -right + walk, "plates"),
+        Band(left - walk, left, "plates"),
+        Band(-right + walk, -right + walk + 0.15, "kerbstone"),
+        Band(left - walk - 0.15, left - walk, "kerbstone"),
+    ]
     if section.kind == "quay":
         near, far = section.quay
         canal = sorted((section.water * near, section.water * far))

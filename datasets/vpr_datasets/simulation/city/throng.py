@@ -3,9 +3,11 @@
 from vpr_datasets.simulation import props
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.city import kit
+from vpr_datasets.simulation.city.cars import car, van
+from vpr_datasets.simulation.city.cyclists import cyclist
 from vpr_datasets.simulation.city.people import cart, old_car, townsman
 from vpr_datasets.simulation.city.sections import Section
-from vpr_datasets.simulation.city.vehicles import Vehicle, car, cyclist, van
+from vpr_datasets.simulation.city.vehicles import Vehicle
 from vpr_datasets.simulation.lots import plain
 from vpr_datasets.simulation.materials import tinted
 from vpr_datasets.simulation.spec import TraverseSpec
@@ -133,6 +135,14 @@ def send_people(dice: Dice, traverse: TraverseSpec, frames: int) -> list[Mover]:
                 # Somebody so many metres ahead in this picture is out of sight in all others.
                 ahead = dice.between(8.0, 26.0)
                 pace = -6.0 * step
-                movers.append(Mover(index + ahead / (step - pace), pace, dice.pick((1, -1)) * dice.between(1.5, 3.2), width,
-                                    dice.between(1.6, 1.85), texture))  # fmt: skip
+                movers.append(
+                    Mover(
+                        index + ahead / (step - pace),
+                        pace,
+                        dice.pick((1, -1)) * dice.between(1.5, 3.2),
+                        width,
+                        dice.between(1.6, 1.85),
+                        texture,
+                    )
+                )
     return movers

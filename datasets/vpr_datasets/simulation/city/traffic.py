@@ -2,9 +2,12 @@
 
 from vpr_datasets.simulation import props
 from vpr_datasets.simulation.chance import Dice
+from vpr_datasets.simulation.city.cars import car, van
+from vpr_datasets.simulation.city.cyclists import cyclist
+from vpr_datasets.simulation.city.heavy import bus, lorry
 from vpr_datasets.simulation.city.roads import Lane, Profile
 from vpr_datasets.simulation.city.roadside import Junctions, near
-from vpr_datasets.simulation.city.vehicles import Vehicle, bus, car, cyclist, lorry, van
+from vpr_datasets.simulation.city.vehicles import Vehicle
 from vpr_datasets.simulation.spec import TraverseSpec
 from vpr_datasets.simulation.stage import Mover, Stage
 

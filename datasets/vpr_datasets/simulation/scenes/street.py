@@ -2,10 +2,10 @@
 
 from vpr_datasets.simulation.chance import Dice
 from vpr_datasets.simulation.city import kit
-from vpr_datasets.simulation.city.berlin import put_house
 from vpr_datasets.simulation.city.landmarks import plant_square, put_tower, put_viaduct
 from vpr_datasets.simulation.city.roads import BOULEVARD, EDGE, STREET, Profile, pave
 from vpr_datasets.simulation.city.roadside import Junctions, furnish
+from vpr_datasets.simulation.city.terraces import put_house
 from vpr_datasets.simulation.city.traffic import line_up, set_out, stand_about
 from vpr_datasets.simulation.city.trees import street_tree
 from vpr_datasets.simulation.city.words import SHOPS
