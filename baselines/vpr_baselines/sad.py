@@ -46,7 +46,7 @@ class Sad(Retrieval):
             for top in range(0, self.height, self.patch):
                 for left in range(0, self.width, self.patch):
                     _normalise(small[top : top + self.patch, left : left + self.patch])
-        return small.ravel() / small.size
+        return small.ravel() / np.float32(small.size)
 
 
 def _normalise(patch: NDArray[np.float32]) -> None:

@@ -16,16 +16,19 @@ BLOCK = re.compile(r"^```(python|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 def blocks():
     for page in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
         for number, found in enumerate(BLOCK.finditer(page.read_text("utf-8"))):
-            yield pytest.param(found[1], found[2], id=f"{page.name}-{number}")
+            yield pytest.param(page.stem, found[1], found[2], id=f"{page.name}-{number}")
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
+def folders(tmp_path_factory):
+    """Return a folder for each page, in which its blocks run one after the other."""
     return tmp_path_factory.mktemp("docs")
 
 
-@pytest.mark.parametrize(("language", "code"), list(blocks()))
-def test_block(language, code, folder):
+@pytest.mark.parametrize(("page", "language", "code"), list(blocks()))
+def test_block(page, language, code, folders):
+    folder = folders / page
+    folder.mkdir(exist_ok=True)
     if language == "console" and shutil.which("bash") is None:
         pytest.skip("these are commands for a POSIX shell, and there is no bash here")
     scripts = Path(sys.executable).parent

@@ -69,9 +69,7 @@ class Examination(Generic[S]):
         known = [check.id for check in self.suite]
         for name in declared:
             if name not in known:
-                raise UsageError(
-                    f"expected_failures names {name!r}, and there is no such check. {closest(name, known)}"
-                )
+                raise UsageError(f"There is no check {name!r}, which expected_failures names. {closest(name, known)}")
         return declared
 
     def _run(self, name: str) -> Outcome:

@@ -45,6 +45,10 @@ vpr-bench run --method hog --dataset gardens:simulated --limit 20 --format json
 vpr-bench run --method hog --method twostage --dataset thesis --edition simulated
 
 vpr-bench run --method hog --dataset path/to/my/images
+
+vpr-bench run --method path/to/my_method.py:MyMethod --timeout 5 --dataset gardens
+
+vpr-bench run --method seqslam --param inner=efficientnet-lite0 --param past=20 --dataset gardens
 """
 
 
@@ -71,13 +75,20 @@ def run(
     edition: EditionOption = "auto",
     param: Annotated[
         list[str] | None,
-        typer.Option("--param", "-p", help="Parameter name=value, or method.name=value for one of several methods."),
+        typer.Option(
+            "--param", "-p", help="name=value; method.name=value for one of several, inner.name=value inside."
+        ),
     ] = None,
     radius: RadiusOption = None,
     unmatched: UnmatchedOption = None,
     seed: Annotated[int, typer.Option(min=0, help="Of the order of the queries and of the methods.")] = 0,
     k: Annotated[int | None, typer.Option("--k", help="Answers kept per query. Default: 20, or the whole map.")] = None,
-    limit: Annotated[int | None, typer.Option(help="Only the first N of the shuffled queries.", metavar="N")] = None,
+    limit: Annotated[
+        int | None,
+        typer.Option(
+            help="Only the first N queries: of the shuffled ones, or, by sequence methods, in order.", metavar="N"
+        ),
+    ] = None,
     timeout: Annotated[
         float | None,
         typer.Option(help="How long one answer may take; a method that takes longer has failed.", metavar="SECONDS"),

@@ -12,7 +12,7 @@ from vpr_baselines.photometry import grey, resized
 LENGTH = 128
 """Numbers in one SIFT descriptor."""
 
-_PARAMETERS = {"nOctaveLayers": 3, "contrastThreshold": 0.04, "edgeThreshold": 10, "sigma": 1.6}  # OpenCV's defaults
+_LAYERS, _CONTRAST, _EDGE, _SIGMA = 3, 0.04, 10, 1.6  # OpenCV's defaults, which must be said to get uint8
 
 
 @dataclass(frozen=True)
@@ -46,13 +46,13 @@ def detect(image: NDArray[np.uint8], size: int, limit: int) -> KeyPoints:
     height, width = image.shape[:2]
     scale = size / max(height, width)
     small = resized(grey(image), max(round(width * scale), 1), max(round(height * scale), 1))
-    sift = cv2.SIFT_create(limit, **_PARAMETERS, descriptorType=cv2.CV_8U)
+    sift = cv2.SIFT.create(limit, _LAYERS, _CONTRAST, _EDGE, _SIGMA, descriptorType=cv2.CV_8U)
     points, descriptors = sift.detectAndCompute(small, None)
     if descriptors is None:
         return KeyPoints(np.empty((0, 2), np.float32), np.empty((0, LENGTH), np.uint8))
     strongest = np.argsort([-point.response for point in points], kind="stable")[:limit]  # it keeps more where they tie
     positions = np.array([point.pt for point in points], dtype=np.float32)
-    return KeyPoints(positions[strongest], descriptors[strongest])
+    return KeyPoints(positions[strongest], np.asarray(descriptors, dtype=np.uint8)[strongest])
 
 
 def root_sift(descriptors: NDArray[np.uint8]) -> NDArray[np.float32]:

@@ -1,4 +1,4 @@
-"""Do matched key points move together from one image to the other?"""
+"""Which matched key points move together from one image to the other."""
 
 from typing import Literal
 
@@ -33,7 +33,12 @@ def consistent(query: NDArray[np.float32], reference: NDArray[np.float32], geome
     none = np.zeros(len(query), dtype=np.bool_)
     if len(query) < _NEEDED[geometry]:
         return none
-    find = cv2.findHomography if geometry == "homography" else cv2.findFundamentalMat
-    options = {"maxIters": _TRIALS, "confidence": _CONFIDENCE}
-    model, mask = find(query, reference, cv2.USAC_MAGSAC, _PIXELS[geometry], **options)
-    return none if model is None or mask is None else np.asarray(mask.ravel() > 0)
+    if geometry == "homography":
+        _, mask = cv2.findHomography(
+            query, reference, cv2.USAC_MAGSAC, _PIXELS[geometry], maxIters=_TRIALS, confidence=_CONFIDENCE
+        )
+    else:
+        _, mask = cv2.findFundamentalMat(
+            query, reference, cv2.USAC_MAGSAC, _PIXELS[geometry], confidence=_CONFIDENCE, maxIters=_TRIALS
+        )
+    return none if mask is None else np.asarray(mask).ravel() > 0

@@ -21,10 +21,10 @@ def aged(image: NDArray[np.uint8], dice: Dice) -> NDArray[np.uint8]:
     values += (value_noise(dice, height, width, 160, 3).astype(np.int32) - 128) * 26 >> 7
     values += (_grain(dice, height, width) * (9 + dice.below(10))) >> 7
     values -= values * _falloff(dice, height, width) >> 8
-    grey = np.clip(values, 0, 255).astype(np.uint8)
+    grey = np.ascontiguousarray(np.clip(values, 0, 255), dtype=np.uint8)
     _scratch(grey, dice)
     tone = np.array(dice.pick(TONES), dtype=np.int32)
-    picture: NDArray[np.uint8] = np.minimum(grey.astype(np.int32)[..., None] * tone >> 8, 255).astype(np.uint8)
+    picture = np.ascontiguousarray(np.minimum(grey.astype(np.int32)[..., None] * tone >> 8, 255), dtype=np.uint8)
     if dice.chance(0.3):
         _mount(picture, dice)
     return picture

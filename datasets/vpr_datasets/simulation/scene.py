@@ -11,7 +11,7 @@ from vpr_datasets.simulation.raster import Singles, jitter_pattern
 from vpr_datasets.simulation.scenes import SCENES, landscape
 from vpr_datasets.simulation.sky import paint_sky
 from vpr_datasets.simulation.spec import Epoch, Season, SimulationSpec
-from vpr_datasets.simulation.stage import Mover, Slab, Stage, Walls
+from vpr_datasets.simulation.stage import Floor, Mover, Slab, Stage, Walls
 from vpr_datasets.simulation.texture import Texture
 
 BEFORE = 30.0
@@ -50,7 +50,16 @@ def _place(
 ) -> tuple[Stage, list[Slab]]:
     course = _course(scene, seed, length, curvature)
     stage = landscape(scene, epoch).lay_out(seed, season, course, length)
-    return stage, paint_grounds(seed, season, course, stage.floors[::-1], SCENES[scene].SETTING)
+    return stage, _grounds(scene, seed, season, length, curvature, tuple(stage.floors[::-1]))
+
+
+@lru_cache(maxsize=4)
+def _grounds(
+    scene: str, seed: int, season: Season, length: float, curvature: float, floors: tuple[Floor, ...]
+) -> list[Slab]:
+    # Epochs of a scene may stand on the same ground, which takes long to paint.
+    course = _course(scene, seed, length, curvature)
+    return paint_grounds(seed, season, course, list(floors), SCENES[scene].SETTING)
 
 
 @lru_cache(maxsize=8)

@@ -1,5 +1,6 @@
 """A method that does everything right passes every check; one fault more, and exactly one check fails."""
 
+import contextlib
 import json
 import pickle
 import socket
@@ -224,7 +225,6 @@ class NormalisesReferencesInPlace(Good):
 @fails("input-unmodified")
 class NeedsWritableImages(Good):
     def match(self, image, k):
-        image.flags.writeable = True if image.flags.writeable else image.setflags(write=1)
         if not image.flags.writeable:
             raise ValueError("buffer source array is read-only")
         return super().match(image, k)
@@ -418,7 +418,7 @@ class RaisesTheLimit(Good):
 @fails("threads-respected")
 class StartsManyThreads(Good):
     def fit(self, references):
-        threads = [threading.Thread(target=time.sleep, args=(0.2,)) for _ in range(12)]
+        threads = [threading.Thread(target=time.sleep, args=(0.03,)) for _ in range(12)]
         for thread in threads:
             thread.start()
         super().fit(references)
@@ -437,10 +437,8 @@ class Downloads(Good):
 @fails("no-network")
 class AsksForUpdates(Good):
     def match(self, image, k):
-        try:
-            socket.getaddrinfo("weights.invalid", 443)
-        except OSError:
-            pass
+        with contextlib.suppress(OSError):
+            socket.getaddrinfo("127.0.0.1", 443)
         return super().match(image, k)
 
 

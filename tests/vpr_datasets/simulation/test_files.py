@@ -27,3 +27,24 @@ def test_the_first_image_has_the_first_number() -> None:
 def test_unusable_patterns_are_refused(pattern: str, words: str) -> None:
     with pytest.raises(ValidationError, match=words):
         Files(pattern=pattern)
+
+
+def test_traverses_may_be_named_each_in_its_way() -> None:
+    files = Files(patterns={"old": "old/{number:04d}.jpg", "new": "new/{number:04d}.png"}, first=1, skipped=(1, 3))
+    assert [str(files.name("old", index)) for index in range(3)] == ["old/0002.jpg", "old/0004.jpg", "old/0005.jpg"]
+    assert str(files.name("new", 0)) == "new/0002.png"
+    assert str(files.name("other", 0)) == "other/Image002.jpg"
+    assert not files.lossless
+
+
+@pytest.mark.parametrize(
+    ("patterns", "words"),
+    [
+        ({"a": "a.jpg"}, "must hold"),
+        ({"a": "../{number}.jpg"}, "stay inside"),
+        ({"a": "x/{number}.jpg", "b": "x/{number}.jpg"}, "two traverses"),
+    ],
+)
+def test_unusable_patterns_of_traverses_are_refused(patterns: dict[str, str], words: str) -> None:
+    with pytest.raises(ValidationError, match=words):
+        Files(patterns=patterns)

@@ -6,7 +6,7 @@ import io
 import lzma
 import zipfile
 import zlib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 _NPY, _ZIP = b"\x93NUMPY", b"PK\x03\x04"
 _UNPACK: dict[bytes, Callable[[bytes], bytes]] = {
@@ -31,14 +31,18 @@ def is_pickle(content: bytes) -> bool:
     if content[:1] == b"\x80" and content[1:2] in b"\x02\x03\x04\x05" and content[-1:] == b".":
         return True
     if content.startswith(_NPY):
-        return b"|O'" in content[:128]
+        return b"|O'" in content[12:].partition(b"\n")[0]  # the header is one line after magic, version and length
+    try:
+        return any(is_pickle(inner) for inner in _inside(content))
+    except (OSError, EOFError, ValueError, zipfile.BadZipFile, zlib.error, lzma.LZMAError):
+        return False  # it only begins like an archive
+
+
+def _inside(content: bytes) -> Iterator[bytes]:
+    """Yield what is packed in an archive, nothing for other files."""
     if content.startswith(_ZIP):
         with zipfile.ZipFile(io.BytesIO(content)) as archive:
-            return any(is_pickle(archive.read(name)) for name in archive.namelist())
+            yield from (archive.read(name) for name in archive.namelist())
     for magic, unpack in _UNPACK.items():
         if content.startswith(magic):
-            try:
-                return is_pickle(unpack(content))
-            except (OSError, EOFError, ValueError, zlib.error, lzma.LZMAError):
-                return False  # it only begins like one
-    return False
+            yield unpack(content)

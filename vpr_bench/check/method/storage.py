@@ -9,14 +9,15 @@ from vpr_bench.check.method.agreement import expect_same
 from vpr_bench.check.method.asking import ask, blaming_method, fit
 from vpr_bench.check.method.pickles import is_pickle
 from vpr_bench.check.method.subject import Subject
-from vpr_bench.check.method.world import ANSWERS, usual_map, usual_queries
+from vpr_bench.check.method.world import ANSWERS, as_map, picture, usual_map, usual_queries
 from vpr_bench.check.outcome import Failed, Skipped
 from vpr_bench.check.suite import check
 from vpr_bench.method.interfaces import Persistent
+from vpr_bench.types.traverse import Traverse
 
 
 @contextmanager
-def _saved(subject: Subject) -> Iterator[Path]:
+def _saved(subject: Subject, references: Traverse) -> Iterator[Path]:
     """Yield a folder with a fitted method, which does not lie where it was saved to."""
     method = subject.make()
     if not isinstance(method, Persistent):
@@ -24,7 +25,7 @@ def _saved(subject: Subject) -> Iterator[Path]:
     with tempfile.TemporaryDirectory(prefix="vpr-bench-check-") as folder:
         first, last = Path(folder, "first"), Path(folder, "last")
         first.mkdir()
-        fit(method, usual_map())
+        fit(method, references)
         with blaming_method("save"):
             try:
                 method.save(first)
@@ -36,7 +37,7 @@ def _saved(subject: Subject) -> Iterator[Path]:
 @check("save-load-round-trip", "same-seed-same-answer")
 def save_load_round_trip(subject: Subject) -> None:
     """Check that a new one that loads what was saved answers the same, wherever the folder lies by then."""
-    with _saved(subject) as folder:
+    with _saved(subject, usual_map()) as folder:
         method = subject.make()
         assert isinstance(method, Persistent)  # noqa: S101
         with blaming_method("load"):
@@ -50,7 +51,7 @@ def save_load_round_trip(subject: Subject) -> None:
 @check("pickles-nothing", "save-load-round-trip")
 def pickles_nothing(subject: Subject) -> None:
     """Check that what it saves holds no pickles, which may run anything when they are loaded."""
-    with _saved(subject) as folder:
+    with _saved(subject, as_map([picture(0), picture(1)])) as folder:
         for file in sorted(path for path in folder.rglob("*") if path.is_file()):
             if is_pickle(file.read_bytes()):
                 raise Failed(f"{file.relative_to(folder)} is a pickle, or holds one")

@@ -99,7 +99,7 @@ class Subject:
 
     @cached_property
     def usual_answers(self) -> list[Match]:
-        """What a new one answers to the usual queries on the usual map."""
+        """What a new one answers to the usual queries on the usual map; kept, as fitting takes its time."""
         method = self.make()
         fit(method, usual_map())
         return ask(method, usual_queries(), ANSWERS)

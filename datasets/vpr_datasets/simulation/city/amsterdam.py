@@ -105,7 +105,7 @@ def put_house(
     wall_along(stage, side, s, s + width, t, 0, GROUND, ground)
     upper = paint_upper(seed, number, style, width, 256 if side > 0 else 228)
     wall_along(stage, side, s, s + width, t, GROUND, house.high, upper)
-    wall_across(stage, s + 0.02, t, 11.0, 0, house.eaves, _flank(house.colour), side)
+    wall_across(stage, s + 0.02, t, 11.0, 0, house.eaves, _flank(_near(house.colour)), side)
     _put_roof(stage, house, side, s, t)
     stage.shade(s + width / 2, side * (t + 5.5), width - 0.6, 10.0, 0, house.eaves)
     return house
@@ -124,13 +124,19 @@ def _put_roof(stage: Stage, house: House, side: int, s: float, t: float) -> None
     """Let the roof show behind the gable, its ridge at right angles to the street; or along it behind a cornice."""
     rise = house.width * 0.55
     if house.gable == "cornice":
-        wall_along(stage, side, s, s + house.width, t + 0.9, house.high - 0.1, house.high + 1.9, _tiles(house.roof))
+        wall_along(stage, side, s, s + house.width, t + 0.9, house.high - 0.1, house.high + 1.3, _tiles(house.roof))
         return
     ends = ((s, side * (t + 2.5)), (s + house.width, side * (t + 2.5)))
     stage.wall(*(ends if side > 0 else ends[::-1]), house.eaves, house.eaves + rise, _slope(house.roof))
     middle = s + house.width / 2
     ridge = ((middle, side * (t + 11.0)), (middle, side * (t + 0.4)))
     stage.wall(*(ridge if side > 0 else ridge[::-1]), house.eaves, house.eaves + rise, _tiles(house.roof))
+
+
+def _near(colour: Colour) -> Colour:
+    """Return one of a few colours, so that flanks can share their textures."""
+    red, green, blue = (part // 24 * 24 + 12 for part in colour)
+    return red, green, blue
 
 
 @lru_cache(maxsize=64)

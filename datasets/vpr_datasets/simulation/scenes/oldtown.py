@@ -121,7 +121,7 @@ class OldTown:
             put_bridge(stage, dice.branch(), dice.between(section.start + 16, section.stop - 12), near, far)
         self._plant(stage, dice, section, trees, section.quay[0] + 0.1, 11.0, back=-0.6)
         self._plant(stage, dice, section, trees, section.quay[1] + 1.0, 13.0)
-        boats = Dice(seed, "boats", int(section.start), self.epoch)
+        boats = Dice(seed, "boats", int(section.start) + 100, self.epoch)
         s = section.start + 6.0
         while s < section.stop - 8:
             for edge, way in ((near, section.water), (far, -section.water)):
