@@ -5,6 +5,14 @@ from collections.abc import Iterable, Sequence
 from vpr_bench.dataset.card import Card, EditionCard, Overlay, Published
 
 
+_SIMULATED = """\
+Rendered by vpr-bench in the layout of the real images, the same on every machine. Its numbers say nothing about the \
+real dataset."""
+_NAMED_TOO = """\
+The first is the default. A pairing of other traverses, parts of them (`.every10`, `.first100`, `.even100`) and several \
+joined by `+` can be named as well."""
+
+
 def card_page(card: Card) -> str:
     """Return the page of a dataset: what it is, licence, how to get it, editions, protocols, published numbers."""
     parts = [
@@ -18,8 +26,7 @@ def card_page(card: Card) -> str:
             ("name", "images", "what"), [(f"`{one.name}`", _count(one.images), one.about) for one in card.traverses]
         ),
         "## Protocols",
-        "The first is the default. A pairing of other traverses, parts of them (`.every10`, `.first100`, `.even100`) and "
-        "several joined by `+` can be named as well.",
+        _NAMED_TOO,
         _protocols(card, "real"),
     ]
     for name, edition in _editions(card):
@@ -60,10 +67,7 @@ def _edition(card: Card, name: str, edition: Overlay) -> list[str]:
         folders = " or ".join(f"`<data root>/{folder}/`" for folder in edition.folders)
         parts = [f"{edition.about[:1].upper()}{edition.about[1:]}. It lies in {folders}."]
     else:
-        parts = [
-            "Rendered by vpr-bench in the layout of the real images, the same on every machine. Its numbers say "
-            "nothing about the real dataset."
-        ]
+        parts = [_SIMULATED]
     if edition.traverses is not None:
         rows = [(f"`{one.name}`", _count(one.images), one.about) for one in edition.traverses]
         parts.append(_table(("name", "images", "what"), rows))

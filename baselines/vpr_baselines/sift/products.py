@@ -67,6 +67,8 @@ class RoughProducts:
         (n_images, m) bool
             Few are true that do not pass; none is false that does.
         """
+        if not len(query):
+            return np.empty((len(self._stacked), 0), dtype=np.bool_)
         kind, error = self._stacked.dtype, _ERROR[self._stacked.dtype]
         found = np.empty((len(self._stacked), len(query)), dtype=np.bool_)
         columns = torch.from_numpy(query).to(kind).T

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-TINY = ("run", "--method", "hog", "--param", "width=32", "--param", "height=32", "--param", "cell=8", "--dataset", "tiny")
+SMALL = ("--param", "width=32", "--param", "height=32", "--param", "cell=8")
+TINY = ("run", "--method", "hog", *SMALL, "--dataset", "tiny")
 
 
 def test_prints_one_row_and_stores_the_run(vpr_bench, tiny_dataset):
@@ -63,7 +64,7 @@ def test_whole_protocol_id(vpr_bench, tiny_dataset):
 
 def test_parameter_of_one_of_several_methods(vpr_bench, tiny_dataset):
     words = ("run", "--method", "hog", "--method", "vpr_baselines.hog:Hog", "--dataset", "tiny")
-    done = vpr_bench(*words, "--param", "width=32", "--param", "height=32", "--param", "cell=8", "--param", "hog.bins=6", "--format", "json")
+    done = vpr_bench(*words, *SMALL, "--param", "hog.bins=6", "--format", "json")
     assert [row["method"] for row in json.loads(done.out)] == [
         "hog(width=32, height=32, cell=8, bins=6)",
         "vpr_baselines.hog:Hog(width=32, height=32, cell=8)",

@@ -6,7 +6,8 @@ import pytest
 
 from vpr_bench.files.digest import sha256_of_file
 
-TINY = ("run", "--method", "hog", "--param", "width=32", "--param", "height=32", "--param", "cell=8", "--dataset", "tiny")
+SMALL = ("--param", "width=32", "--param", "height=32", "--param", "cell=8")
+TINY = ("run", "--method", "hog", *SMALL, "--dataset", "tiny")
 
 
 @pytest.fixture
