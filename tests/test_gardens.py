@@ -1,4 +1,4 @@
-"""The main job: both methods on Gardens Point, simulated and (where they are on disk) real."""
+"""The main job: the methods on Gardens Point, simulated and (where they are on disk) real."""
 
 import numpy as np
 import pytest
@@ -66,3 +66,18 @@ def test_hog_on_the_real_walk_prefers_the_same_side():
         for case in (load_case("gardens", f"{one}-night_right", edition="real") for one in ("day_right", "day_left"))
     ]
     assert recalls[0] > 0.15 > recalls[1]
+
+
+@pytest.mark.usefixtures("real_gardens")
+def test_sift_on_the_real_walk_by_day():
+    case = load_case("gardens", "day_left-day_right", edition="real")
+    assert score(fitted("sift", case), case)["recall@1"] >= 0.78
+
+
+@pytest.mark.usefixtures("real_gardens")
+def test_the_floor_and_the_pixels_on_the_real_walk_by_day():
+    """Answers at random are right for about 5 of 200 references, the place and two beside it on either side."""
+    case = load_case("gardens", "day_left-day_right", edition="real")
+    assert score(fitted("random", case), case)["recall@1"] < 0.07
+    raw, normalised = (score(fitted("sad", case, raw=raw), case)["recall@1"] for raw in (True, False))
+    assert normalised >= raw - 0.02 and raw > 0.4

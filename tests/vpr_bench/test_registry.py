@@ -193,6 +193,17 @@ def test_a_summary_is_read_without_running_the_package(plugin):
     assert Entry("thing", "broken_package.module:Thing", "third 1.0").summary() == "Found all the same."
 
 
+def test_packages_are_not_run_to_read_what_is_in_them(plugin):
+    plugin("broken_package/__init__.py", "raise RuntimeError('no licence')")
+    plugin("broken_package/module.py", 'class Thing: "Never run."')
+    assert Entry("thing", "broken_package.module:Thing", "third 1.0").summary() == "Never run."
+
+
+def test_a_name_is_known_or_not():
+    methods = registry(point("hog", "math:pi"))
+    assert "hog" in methods and "math:pi" not in methods
+
+
 def test_the_installed_plug_ins_are_found():
     methods = Registry("vpr_bench.methods", "method")
     assert {"hog", "twostage"} <= {entry.name for entry in methods.entries()}

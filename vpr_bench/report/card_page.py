@@ -4,13 +4,12 @@ from collections.abc import Iterable, Sequence
 
 from vpr_bench.dataset.card import Card, EditionCard, Overlay, Published
 
-
 _SIMULATED = """\
 Rendered by vpr-bench in the layout of the real images, the same on every machine. Its numbers say nothing about the \
 real dataset."""
 _NAMED_TOO = """\
-The first is the default. A pairing of other traverses, parts of them (`.every10`, `.first100`, `.even100`) and several \
-joined by `+` can be named as well."""
+The first is the default. A pairing of other traverses, parts of them (`.every10`, `.first100`, `.even100`) and \
+several joined by `+` can be named as well."""
 
 
 def card_page(card: Card) -> str:

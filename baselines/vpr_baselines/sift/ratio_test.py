@@ -21,13 +21,13 @@ class Pairs:
     ----------
     query, reference : (n,) int64
         Which key points.
-    similarities : (n,) float32
+    similarities : (n,) float64
         Products of their descriptors, in [0, 1].
     """
 
     query: NDArray[np.int64]
     reference: NDArray[np.int64]
-    similarities: NDArray[np.float32]
+    similarities: NDArray[np.float64]
 
     @property
     def score(self) -> float:
@@ -91,13 +91,17 @@ class KeyPointMap:
 
     def _pairs(self, image: int, query: NDArray[np.float32], rows: NDArray[np.int64], ratio: float) -> Pairs:
         """Do the ratio test on some descriptors of a query and all of one reference."""
-        products = np.minimum(query[rows] @ self._products.get(image, self._counts[image]).T, 1)
+        reference = self._products.get(image, self._counts[image])
+        products = np.minimum(query[rows] @ reference.T, 1)
         every, nearest = np.arange(len(rows)), products.argmax(axis=1)
         first = products[every, nearest]
         products[every, nearest] = -1
         # Distances of unit vectors are √(2 - 2s).
         passes = 1 - first < ratio**2 * (1 - products.max(axis=1))
-        return Pairs(rows[passes], nearest[passes], first[passes])
+        rows, nearest = rows[passes], nearest[passes]
+        # Once more in double precision: how float32 is rounded depends on how many rows are multiplied at once.
+        similarities = np.einsum("nd,nd->n", query[rows], reference[nearest], dtype=np.float64)
+        return Pairs(rows, nearest, np.minimum(similarities, 1))
 
     def save(self, folder: Path) -> None:
         """Write all key points as ``keypoints.npz``."""

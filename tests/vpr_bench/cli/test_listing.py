@@ -21,6 +21,9 @@ def test_list_json(vpr_bench):
     [
         ("gardens", "gardens/day_left-night_right@2f"),
         ("hog", "parameter: width · default: 512"),
+        ("hog", "parameter: metric · default: 'cosine'"),
+        ("hog", "preset: hog:thesis · width: 64 · height: 128"),
+        ("hog:thesis", "parameter: width · default: 64"),
         ("pr_auc", "area under precision-recall"),
     ],
 )
@@ -28,6 +31,14 @@ def test_info(vpr_bench, name, said):
     done = vpr_bench("info", name)
     assert done.code == 0
     assert said in done.out
+
+
+def test_presets_are_listed_and_a_wrong_one_is_refused(vpr_bench):
+    assert "hog:thesis, hog:vpr-bench" in {
+        one["presets"] for one in json.loads(vpr_bench("list", "methods", "--format", "json").out)["methods"]
+    }
+    done = vpr_bench("info", "hog:thesi")
+    assert done.code == 2 and "The method 'hog' has no preset 'thesi'. Did you mean 'thesis'?" in done.err
 
 
 def test_info_json(vpr_bench):
