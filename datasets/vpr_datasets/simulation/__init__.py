@@ -14,10 +14,24 @@ differ between drivers, and software ones (Mesa's, for one) between the SIMD wid
 :data:`SIMULATION_VERSION` is raised whenever the pixels of an existing specification change.
 """
 
-from vpr_datasets.simulation.frame import render_frame
-from vpr_datasets.simulation.render import render
-from vpr_datasets.simulation.spec import SimulationSpec, TraverseSpec
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from vpr_datasets.simulation.frame import render_frame as render_frame
+    from vpr_datasets.simulation.rendering import render as render
+    from vpr_datasets.simulation.spec import SimulationSpec as SimulationSpec
+    from vpr_datasets.simulation.spec import TraverseSpec as TraverseSpec
 
 SIMULATION_VERSION = 1
 
 __all__ = ["SIMULATION_VERSION", "SimulationSpec", "TraverseSpec", "render", "render_frame"]
+
+_MODULES = {"SimulationSpec": "spec", "TraverseSpec": "spec", "render": "rendering", "render_frame": "frame"}
+
+
+def __getattr__(name: str) -> Any:
+    """Import public names when they are used: whether an edition has been rendered is known without OpenCV."""
+    if name in _MODULES:
+        return getattr(import_module(f"{__name__}.{_MODULES[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -8,9 +8,10 @@ from typing import Any
 from pydantic import ValidationError
 
 from vpr_bench.errors import DataError, first_fault
-from vpr_datasets.simulation import SIMULATION_VERSION, SimulationSpec, render
-from vpr_datasets.simulation.beside import WRITERS
+from vpr_datasets.simulation import SIMULATION_VERSION
+from vpr_datasets.simulation.beside import KINDS, writer
 from vpr_datasets.simulation.files import Files
+from vpr_datasets.simulation.spec import SimulationSpec
 
 
 class SimulatedEdition:
@@ -35,9 +36,9 @@ class SimulatedEdition:
             self.files = Files.model_validate(naming)
         except ValidationError as error:
             raise DataError(f"The card's simulation is not valid: {first_fault(error)}.") from None
-        unknown = [kind for kind in self.files.beside if kind not in WRITERS]
+        unknown = [kind for kind in self.files.beside if kind not in KINDS]
         if unknown:
-            known = ", ".join(WRITERS)
+            known = ", ".join(KINDS)
             raise DataError(f"The card's simulation is not valid: beside: {unknown[0]!r} is none of {known}.")
         if self.spec.bayer is not None and not self.files.lossless:
             raise DataError("The card's simulation is not valid: pattern: raw pictures are stored as .png only.")
@@ -49,6 +50,8 @@ class SimulatedEdition:
 
     def render(self, folder: Path) -> None:
         """Write every image into ``folder``, and what the dataset has beside them."""
+        from vpr_datasets.simulation.rendering import render
+
         render(self.spec, folder, files=self.files)
         for kind in self.files.beside:
-            WRITERS[kind](self.spec, Path(folder), self.files)
+            writer(kind)(self.spec, Path(folder), self.files)

@@ -24,7 +24,7 @@ class Files(BaseModel):
     skipped
         Numbers that no image has.
     beside
-        What else the dataset has: names from :data:`vpr_datasets.simulation.beside.WRITERS`.
+        What else the dataset has: names from :data:`vpr_datasets.simulation.beside.KINDS`.
 
     Examples
     --------

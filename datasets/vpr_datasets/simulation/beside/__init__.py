@@ -1,21 +1,23 @@
-"""What real datasets have beside their images: each kind of file is one module.
+"""What real datasets have beside their images: each kind of file is one module with a function ``write``.
 
-A writer is called once, when all images are there.
+A writer is called once, when all images are there, and imported only then: to know what an edition is called, nothing
+needs to be drawn.
 """
 
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 
-from vpr_datasets.simulation.beside import fgps, mapillary, pairs, tutorial_gt
 from vpr_datasets.simulation.files import Files
 from vpr_datasets.simulation.spec import SimulationSpec
 
 Writer = Callable[[SimulationSpec, Path, Files], None]
 
-WRITERS: dict[str, Writer] = {
-    "fgps": fgps.write,
-    "mapillary": mapillary.write,
-    "pairs": pairs.write,
-    "tutorial_gt": tutorial_gt.write,
-}
-"""By the name that a card gives them."""
+KINDS = ("fgps", "mapillary", "pairs", "tutorial_gt")
+"""The names that a card gives them."""
+
+
+def writer(kind: str) -> Writer:
+    """Return the function that writes one kind of file."""
+    write: Writer = import_module(f"{__name__}.{kind}").write
+    return write
