@@ -71,7 +71,7 @@ class ExactIndex:
                 np.abs(differences, out=differences).sum(axis=1, out=target)
             else:
                 np.sqrt(np.einsum("nd,nd->n", differences, differences), out=target)
-        return -distances
+        return 0 - distances  # and not -0.0, which reads like a mistake
 
     def save(self, folder: Path) -> None:
         """Write the descriptors as ``database.npy``."""

@@ -33,12 +33,15 @@ def consistent(query: NDArray[np.float32], reference: NDArray[np.float32], geome
     none = np.zeros(len(query), dtype=np.bool_)
     if len(query) < _NEEDED[geometry]:
         return none
-    if geometry == "homography":
-        _, mask = cv2.findHomography(
-            query, reference, cv2.USAC_MAGSAC, _PIXELS[geometry], maxIters=_TRIALS, confidence=_CONFIDENCE
-        )
-    else:
-        _, mask = cv2.findFundamentalMat(
-            query, reference, cv2.USAC_MAGSAC, _PIXELS[geometry], confidence=_CONFIDENCE, maxIters=_TRIALS
-        )
+    try:
+        if geometry == "homography":
+            _, mask = cv2.findHomography(
+                query, reference, cv2.USAC_MAGSAC, _PIXELS[geometry], maxIters=_TRIALS, confidence=_CONFIDENCE
+            )
+        else:
+            _, mask = cv2.findFundamentalMat(
+                query, reference, cv2.USAC_MAGSAC, _PIXELS[geometry], confidence=_CONFIDENCE, maxIters=_TRIALS
+            )
+    except cv2.error:  # an assertion inside OpenCV fails where no sample makes a model
+        return none
     return none if mask is None else np.asarray(mask).ravel() > 0
