@@ -1,6 +1,8 @@
 """Products of all query and reference descriptors, fast and rough: enough to see what cannot match."""
 
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import cache
 from typing import Any
 
@@ -118,14 +120,25 @@ def fastest_type() -> torch.dtype:
 def _seconds(kind: torch.dtype) -> float:
     """Measure one product in seconds of one core's work, which other processes do not add to."""
     left, right = torch.ones((1024, 128), dtype=kind), torch.ones((128, 512), dtype=kind)
-    threads = torch.get_num_threads()
-    torch.set_num_threads(1)
-    try:
-        trials = []
+    trials = []
+    with one_thread():
         for _ in range(5):
             start = time.thread_time()
             torch.mm(left, right)
             trials.append(time.thread_time() - start)
-        return min(trials)
+    return min(trials)
+
+
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Keep torch to one thread inside the ``with`` block.
+
+    Blocks of products are done in less than a millisecond, and two threads wait for each other after every one:
+    seven times longer in all, where the cores have other work too.
+    """
+    threads = torch.get_num_threads()
+    torch.set_num_threads(1)
+    try:
+        yield
     finally:
         torch.set_num_threads(threads)

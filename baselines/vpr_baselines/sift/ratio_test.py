@@ -5,10 +5,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+import torch
 from numpy.typing import NDArray
 
 from vpr_baselines.sift.keypoints import KeyPoints, root_sift
-from vpr_baselines.sift.products import RoughProducts
+from vpr_baselines.sift.products import RoughProducts, one_thread
 
 _FILE = "keypoints.npz"
 
@@ -74,7 +75,10 @@ class KeyPointMap:
         dict of int to Pairs
             By reference; possibly more than ``k`` of them.
         """
-        descriptors = root_sift(query.descriptors)
+        with one_thread():
+            return self._best(root_sift(query.descriptors), ratio, k)
+
+    def _best(self, descriptors: NDArray[np.float32], ratio: float, k: int) -> dict[int, Pairs]:
         candidates = self._products.may_pass(descriptors, ratio)
         candidates[self._counts < 2] = False  # nothing is nearest where there is no second nearest
         at_most = np.count_nonzero(candidates, axis=1)
@@ -92,7 +96,7 @@ class KeyPointMap:
     def _pairs(self, image: int, query: NDArray[np.float32], rows: NDArray[np.int64], ratio: float) -> Pairs:
         """Do the ratio test on some descriptors of a query and all of one reference."""
         reference = self._products.get(image, self._counts[image])
-        products = np.minimum(query[rows] @ reference.T, 1)
+        products = np.minimum(torch.mm(torch.from_numpy(query[rows]), torch.from_numpy(reference).T).numpy(), 1)
         every, nearest = np.arange(len(rows)), products.argmax(axis=1)
         first = products[every, nearest]
         products[every, nearest] = -1

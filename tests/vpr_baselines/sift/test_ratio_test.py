@@ -115,3 +115,14 @@ def test_it_survives_the_disk(kind, tmp_path):
 
 def test_the_faster_type_is_one_of_the_two():
     assert products.fastest_type() in products._ERROR
+
+
+def test_torch_has_as_many_threads_afterwards_as_before():
+    made, _, query = make(0, [20], n_features=20)
+    before = torch.get_num_threads()
+    torch.set_num_threads(2)
+    try:
+        made.best(query, 0.8, 1)
+        assert torch.get_num_threads() == 2
+    finally:
+        torch.set_num_threads(before)

@@ -1,3 +1,4 @@
+import cv2
 import numpy as np
 import pytest
 
@@ -33,3 +34,11 @@ def test_too_few_or_degenerate_pairs_are_no_error(geometry, count):
     same = np.ones((count, 2), np.float32)
     assert consistent(same, same, geometry).shape == (count,)
     assert not consistent(POINTS[:3], POINTS[:3], geometry).any()
+
+
+def test_where_opencv_finds_no_model_nothing_is_consistent(monkeypatch):
+    def fail(*arguments, **options):
+        raise cv2.error("(-215:Assertion failed) !model.empty()")
+
+    monkeypatch.setattr(cv2, "findFundamentalMat", fail)
+    assert not consistent(POINTS, POINTS, "fundamental").any()
