@@ -27,7 +27,7 @@ def quick_simulation(data_folder, monkeypatch):
         deque(Job(spec=spec, folder=folder, files=files, worker=0, workers=1).carry_out(), maxlen=0)
 
     monkeypatch.setattr("vpr_datasets.simulation.job.render_frame", noise)
-    monkeypatch.setattr("vpr_datasets.simulation.edition.render", render)
+    monkeypatch.setattr("vpr_datasets.simulation.rendering.render", render)
 
 
 def check(identifier, **settings):
