@@ -77,8 +77,5 @@ class AlexNet(Centred):
 
     @property
     def _trunk(self) -> Trunk:
-        if self.layer == "conv3":
-            network, response = ARCHITECTURES["alexnet"], "conv3"
-        else:
-            network, response = WHOLE_ALEXNET, "fully_connected"
-        return load_trunk(network, self.width, self.height, self.weights, self.normalise, response, self.seed)
+        network = ARCHITECTURES["alexnet"] if self.layer == "conv3" else WHOLE_ALEXNET
+        return load_trunk(network, self.width, self.height, self.weights, self.normalise, (self.layer,), self.seed)

@@ -3,6 +3,7 @@ import pytest
 import torch
 
 from vpr_baselines.backbones import resnet18
+from vpr_baselines.backbones.layers import respond
 from vpr_baselines.resnet18 import ResNet18
 from vpr_bench.errors import DataError
 from vpr_bench.method.build import build_method
@@ -31,7 +32,9 @@ def test_the_places_network_is_taken_from_the_folder_of_weights(tmp_path, monkey
     image = np.random.default_rng(0).integers(0, 256, (64, 96, 3), dtype=np.uint8)
     scaled = (image / 255 - np.array(resnet18.MEAN)) / np.array(resnet18.STD)
     with torch.inference_mode():
-        expected = network.features(torch.from_numpy(scaled.transpose(2, 0, 1)[None]).float()).mean(dim=(2, 3))[0]
+        expected = respond(network, torch.from_numpy(scaled.transpose(2, 0, 1)[None]).float(), ("layer4",))[0].mean(
+            dim=(2, 3)
+        )[0]
     assert np.allclose(built.method.respond(image), expected, rtol=1e-3, atol=1e-4)
 
 

@@ -8,19 +8,32 @@ forward passes that agree with a second implementation written from the paper in
 """
 
 from collections import OrderedDict
+from collections.abc import Iterator
 from typing import Literal, cast
 
 from torch import Tensor, nn
 
+from vpr_baselines.backbones.layers import Layer
+
 Depth = Literal["pool5", "fc6", "fc7"]
 """The last layer before the head."""
 
+_CONVOLUTIONS = (
+    ("conv1", 2),
+    ("pool1", 3),
+    ("conv2", 5),
+    ("pool2", 6),
+    ("conv3", 8),
+    ("conv4", 10),
+    ("conv5", 12),
+    ("pool5", 13),
+)  # where in ``features`` each one stops
 _POOLED = 256 * 6 * 6
 _WIDE = 4096
 
 
 class AlexNet(nn.Module):
-    """The classifier; :meth:`features` is its convolutional part.
+    """The classifier; :attr:`features` is its convolutional part.
 
     Parameters
     ----------
@@ -61,29 +74,25 @@ class AlexNet(nn.Module):
         parts.append(("6", nn.Linear(_POOLED if depth == "pool5" else _WIDE, classes)))
         self.classifier = nn.Sequential(OrderedDict(parts))
 
-    def conv3(self, images: Tensor) -> Tensor:
-        """Compute the response of the third convolution, after its ReLU.
+    def layers(self) -> Iterator[Layer]:
+        """Yield ``conv1`` to ``conv5`` (after their ReLUs), the pools after the first, second and fifth, and ``fc…``.
 
-        Parameters
-        ----------
-        images : (B, 3, H, W) float32
-            RGB in [0, 1], normalised with ``MEAN`` and ``STD``.
-
-        Returns
-        -------
-        (B, 384, h, w) float32, not negative
-            13 × 13 for images of 223 to 238 pixels.
+        The first takes (B, 3, H, W) float32 RGB in [0, 1], normalised with ``MEAN`` and ``STD``. For images of 223 to
+        238 pixels ``conv3`` is (B, 384, 13, 13) and ``pool5`` (B, 256, 6, 6); ``fc6`` and ``fc7`` are (B, 4096). None
+        is negative.
         """
-        return cast(Tensor, self.features[:8](images))
-
-    def fully_connected(self, images: Tensor) -> Tensor:
-        """Compute (B, 4096) float32, not negative: what the head stands on, ``fc7`` of the whole network."""
-        x = self.avgpool(self.features(images)).flatten(1)
-        return cast(Tensor, self.classifier[:-1](x))
+        start = 0
+        for name, stop in _CONVOLUTIONS:
+            yield name, self.features[start:stop]
+            start = stop
+        if len(self.classifier) > 2:  # not cut down to dropout and head
+            yield "fc6", lambda x: self.classifier[:3](self.avgpool(x).flatten(1))
+        if len(self.classifier) > 5:
+            yield "fc7", self.classifier[3:-1]
 
     def forward(self, images: Tensor) -> Tensor:
         """Classify (B, 3, H, W) images, of 63 pixels at least: (B, classes) logits."""
-        return cast(Tensor, self.classifier[-1](self.fully_connected(images)))
+        return cast(Tensor, self.classifier(self.avgpool(self.features(images)).flatten(1)))
 
 
 MEAN, STD = (0.485, 0.456, 0.406), (0.229, 0.224, 0.225)

@@ -32,6 +32,10 @@ class Architecture:
         Makes the network, without what nobody looks at.
     head : str
         Name of the classification head, and of what else is cut, in checkpoints: neither is needed.
+    last : str
+        The layer whose map is pooled into a global descriptor.
+    middle : str
+        The last layer with a cell for every 16 pixels, whose cells are compared one by one.
     mean, std : three floats
         What the weights expect the channels of an image in [0, 1] to be normalised with.
     """
@@ -39,6 +43,8 @@ class Architecture:
     name: Backbone
     build: Callable[[], nn.Module]
     head: str
+    last: str
+    middle: str
     mean: Channels
     std: Channels
 
@@ -52,16 +58,28 @@ ARCHITECTURES: dict[Backbone, Architecture] = {
             "efficientnet-lite0",
             partial(efficientnet_lite0.EfficientNetLite0, 1),
             "_fc",
+            "head",
+            "block10",
             (_LITE0_MEAN, _LITE0_MEAN, _LITE0_MEAN),
             (_LITE0_STD, _LITE0_STD, _LITE0_STD),
         ),
-        Architecture("resnet18", partial(resnet18.ResNet18, 1), "fc", resnet18.MEAN, resnet18.STD),
-        Architecture("alexnet", partial(alexnet.AlexNet, 1, depth="pool5"), "classifier", alexnet.MEAN, alexnet.STD),
+        Architecture("resnet18", partial(resnet18.ResNet18, 1), "fc", "layer4", "layer3", resnet18.MEAN, resnet18.STD),
+        Architecture(
+            "alexnet",
+            partial(alexnet.AlexNet, 1, depth="pool5"),
+            "classifier",
+            "pool5",
+            "conv5",
+            alexnet.MEAN,
+            alexnet.STD,
+        ),
     )
 }
-"""The trunks: each has ``features``, from (B, 3, H, W) images to its last map."""
+"""The trunks."""
 
-WHOLE_ALEXNET = Architecture("alexnet", partial(alexnet.AlexNet, 1), "classifier.6", alexnet.MEAN, alexnet.STD)
+WHOLE_ALEXNET = Architecture(
+    "alexnet", partial(alexnet.AlexNet, 1), "classifier.6", "fc7", "conv5", alexnet.MEAN, alexnet.STD
+)
 """With its fully connected layers but the last, 54 of its 61 million parameters."""
 
 

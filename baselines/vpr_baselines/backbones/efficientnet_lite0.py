@@ -5,10 +5,13 @@ table 1, in its Lite variant: no squeeze-and-excitation, ReLU6, stem and head no
 those of the published checkpoint (4,652,008 parameters).
 """
 
+from collections.abc import Iterator
 from typing import cast
 
 from torch import Tensor, nn
 from torch.nn import functional
+
+from vpr_baselines.backbones.layers import Layer, respond
 
 # (repeats, kernel, stride, expansion, output channels) of each stage; table 1 of the paper
 _STAGES = (
@@ -25,7 +28,7 @@ _EPSILON = 1e-3  # batch norm of the TensorFlow original
 
 
 class EfficientNetLite0(nn.Module):
-    """The whole classifier; :meth:`features` is the trunk."""
+    """The whole classifier."""
 
     def __init__(self, classes: int = 1000) -> None:
         super().__init__()
@@ -41,26 +44,22 @@ class EfficientNetLite0(nn.Module):
         self._bn1 = nn.BatchNorm2d(_HEAD, eps=_EPSILON)
         self._fc = nn.Linear(_HEAD, classes)
 
-    def features(self, images: Tensor) -> Tensor:
-        """Compute the last feature map.
+    def layers(self) -> Iterator[Layer]:
+        """Yield ``stem``, ``block0`` to ``block15``, and ``head``.
 
-        Parameters
-        ----------
-        images : (B, 3, H, W) float32
-            RGB in [0, 1], normalised with ``MEAN`` and ``STD``.
-
-        Returns
-        -------
-        (B, 1280, ceil(H / 32), ceil(W / 32)) float32, in [0, 6]
+        The first takes (B, 3, H, W) float32 RGB in [0, 1], normalised with ``MEAN`` and ``STD``; ``block10`` makes
+        (B, 112, ceil(H / 16), ceil(W / 16)), of any sign, and ``head`` (B, 1280, ceil(H / 32), ceil(W / 32)) in
+        [0, 6].
         """
-        x = functional.relu6(self._bn0(self._conv_stem(images)))
-        for block in self._blocks:
-            x = block(x)
-        return functional.relu6(self._bn1(self._conv_head(x)))
+        yield "stem", lambda x: functional.relu6(self._bn0(self._conv_stem(x)))
+        for number, block in enumerate(self._blocks):
+            yield f"block{number}", block
+        yield "head", lambda x: functional.relu6(self._bn1(self._conv_head(x)))
 
     def forward(self, images: Tensor) -> Tensor:
         """Classify (B, 3, H, W) images: (B, classes) logits."""
-        return cast(Tensor, self._fc(self.features(images).mean(dim=(2, 3))))
+        (x,) = respond(self, images, ("head",))
+        return cast(Tensor, self._fc(x.mean(dim=(2, 3))))
 
 
 MEAN, STD = 0.498, 0.502

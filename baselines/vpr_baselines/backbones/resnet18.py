@@ -7,17 +7,20 @@ Checked without torchvision: key by key against its published names and shapes, 
 implementation written from the paper in functions alone (see the tests).
 """
 
+from collections.abc import Iterator
 from typing import cast
 
 from torch import Tensor, nn
 from torch.nn import functional
+
+from vpr_baselines.backbones.layers import Layer, respond
 
 _CHANNELS = (64, 128, 256, 512)  # of the four stages; the first keeps the size, each other one halves it
 _STEM = 64
 
 
 class ResNet18(nn.Module):
-    """The classifier; :meth:`features` is the trunk.
+    """The classifier.
 
     Parameters
     ----------
@@ -56,29 +59,24 @@ class ResNet18(nn.Module):
         cells = 1 if pool else _cells(size[0], stages) * _cells(size[1], stages)
         self.fc = nn.Linear(channels * cells, classes)
 
-    def features(self, images: Tensor) -> Tensor:
-        """Compute the last feature map.
+    def layers(self) -> Iterator[Layer]:
+        """Yield ``conv1``, with its pool, and ``layer1`` to ``layer4``.
 
-        Parameters
-        ----------
-        images : (B, 3, H, W) float32
-            RGB in [0, 1], normalised with ``MEAN`` and ``STD``.
-
-        Returns
-        -------
-        (B, 512, ceil(H / 32), ceil(W / 32)) float32, not negative
-            Twice the height and width, and half the channels, for each stage that was cut (64 channels at least).
+        The first takes (B, 3, H, W) float32 RGB in [0, 1], normalised with ``MEAN`` and ``STD``; the last makes
+        (B, 512, ceil(H / 32), ceil(W / 32)), each one before has twice the height and width and half the channels,
+        64 at least. None is negative.
         """
-        x = functional.relu(self.bn1(self.conv1(images)))
-        x = functional.max_pool2d(x, 3, stride=2, padding=1)
+        yield "conv1", self._stem
         for number in range(1, self.stages + 1):
-            x = self.get_submodule(f"layer{number}")(x)
-        return x
+            yield f"layer{number}", self.get_submodule(f"layer{number}")
 
     def forward(self, images: Tensor) -> Tensor:
         """Classify (B, 3, H, W) images: (B, classes) logits."""
-        x = self.features(images)
+        (x,) = respond(self, images, (f"layer{self.stages}" if self.stages else "conv1",))
         return cast(Tensor, self.fc(x.mean(dim=(2, 3)) if self.pool else x.flatten(1)))
+
+    def _stem(self, images: Tensor) -> Tensor:
+        return functional.max_pool2d(functional.relu(self.bn1(self.conv1(images))), 3, stride=2, padding=1)
 
 
 MEAN, STD = (0.485, 0.456, 0.406), (0.229, 0.224, 0.225)

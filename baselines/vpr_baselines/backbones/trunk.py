@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
-from typing import Literal
+from typing import Literal, cast
 
 import numpy as np
 import torch
@@ -11,14 +11,12 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from vpr_baselines.backbones.architectures import ARCHITECTURES, Architecture, Backbone, Channels, load_network
+from vpr_baselines.backbones.layers import Layered, respond
 from vpr_baselines.photometry import grey, locally_equalised, resized
 
 Normalise = Literal["grey+clahe", "none"]
 """What is done to the light of an image: grey and locally equalised (CLAHE), so that day and night look more alike,
 or nothing."""
-
-Response = Literal["features", "conv3", "fully_connected"]
-"""Which method of the network is the descriptor's source; all have ``features``."""
 
 
 @dataclass(frozen=True)
@@ -35,8 +33,8 @@ class Trunk:
         What the channels in [0, 1] are normalised with.
     normalise : {"grey+clahe", "none"}
         What is done to the light.
-    response : {"features", "conv3", "fully_connected"}
-        Which of the network's responses is wanted.
+    layers : tuple of str
+        Whose responses are wanted.
     """
 
     network: nn.Module
@@ -44,11 +42,22 @@ class Trunk:
     height: int
     mean: Channels
     std: Channels
-    normalise: Normalise = "grey+clahe"
-    response: Response = "features"
+    normalise: Normalise
+    layers: tuple[str, ...]
+
+    def respond(self, image: NDArray[np.uint8]) -> list[NDArray[np.float32]]:
+        """Compute the responses of the layers to one (H, W, 3) uint8 RGB image of any size.
+
+        Returns
+        -------
+        list of (1, …) float32
+            Of a convolution the feature map, (1, C, h, w).
+        """
+        with torch.inference_mode():
+            return [one.numpy() for one in respond(cast(Layered, self.network), self._input(image), self.layers)]
 
     def encode(self, images: Sequence[NDArray[np.uint8]]) -> NDArray[np.float32]:
-        """Compute the responses to (H, W, 3) uint8 RGB images of any size.
+        """Compute the response of the only layer to (H, W, 3) uint8 RGB images of any size.
 
         Images go through one by one: on a CPU a batch is no faster, its large intermediate results make it
         slower, and an image's features do not depend on its neighbours.
@@ -56,11 +65,8 @@ class Trunk:
         Returns
         -------
         (B, …) float32
-            The last feature maps, (B, C, ceil(height / 32), ceil(width / 32)), unless another response was chosen.
         """
-        respond = getattr(self.network, self.response)
-        with torch.inference_mode():
-            return np.concatenate([respond(self._input(image)).numpy() for image in images])
+        return np.concatenate([response for image in images for response in self.respond(image)])
 
     def _input(self, image: NDArray[np.uint8]) -> Tensor:
         """Turn an image into what the network takes: (1, 3, height, width) float32."""
@@ -86,7 +92,7 @@ def load_trunk(
     height: int,
     weights: str = "imagenet",
     normalise: Normalise = "grey+clahe",
-    response: Response = "features",
+    layers: tuple[str, ...] = (),
     seed: int = 0,
 ) -> Trunk:
     """Load a network with its weights; the same trunk is shared by all that ask for it.
@@ -95,8 +101,10 @@ def load_trunk(
     ----------
     backbone : Backbone or Architecture
         The network.
-    width, height, normalise, response
+    width, height, normalise
         As for :class:`Trunk`.
+    layers : tuple of str
+        Whose responses are wanted; by default the last map's.
     weights : str
         A training set, a path, or ``random``: see :func:`vpr_bench.weights.choice.choose_weights`.
     seed : int
@@ -110,4 +118,4 @@ def load_trunk(
         If the weights are missing, damaged, or of another network.
     """
     one = ARCHITECTURES[backbone] if isinstance(backbone, str) else backbone
-    return Trunk(load_network(one, weights, seed), width, height, one.mean, one.std, normalise, response)
+    return Trunk(load_network(one, weights, seed), width, height, one.mean, one.std, normalise, layers or (one.last,))

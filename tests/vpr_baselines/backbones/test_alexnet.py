@@ -3,6 +3,7 @@ import torch
 from torch.nn import functional
 
 from vpr_baselines.backbones.alexnet import AlexNet
+from vpr_baselines.backbones.layers import respond
 
 
 def parameters(network):
@@ -84,7 +85,7 @@ def reference(state, images):
 def test_it_computes_what_a_second_implementation_does(network, images):
     with torch.inference_mode():
         expected = reference(network.state_dict(), images)
-        found = network.conv3(images), network.features(images), network.fully_connected(images), network(images)
+        found = *respond(network, images, ("conv3", "pool5", "fc7")), network(images)
     assert [one.shape[1:] for one in found] == [(384, 13, 13), (256, 6, 6), (4096,), (10,)]
     for ours, theirs in zip(found, expected, strict=True):
         assert theirs.std() > 0
@@ -94,7 +95,7 @@ def test_it_computes_what_a_second_implementation_does(network, images):
 def test_the_response_of_conv3_has_the_size_that_the_thesis_means(network, images):
     """It prints 64869."""
     with torch.inference_mode():
-        assert network.conv3(images).flatten(1).shape == (2, 64_896)
+        assert respond(network, images, ("conv3",))[0].flatten(1).shape == (2, 64_896)
 
 
 @pytest.mark.parametrize(("depth", "inputs"), [("fc6", 4096), ("pool5", 9216)])
@@ -103,7 +104,7 @@ def test_cut_networks_begin_as_the_whole_one_and_run(network, images, depth, inp
     kept = {key: value for key, value in network.state_dict().items() if not key.startswith("classifier.6")}
     cut.load_state_dict({key: value for key, value in kept.items() if key in cut.state_dict()}, strict=False)
     with torch.inference_mode():
-        before_head = cut.fully_connected(images)
+        before_head = respond(cut, images, (depth,))[0].flatten(1)
         x = network.features(images).flatten(1)
         if depth == "fc6":
             x = functional.relu(network.classifier[1](x))

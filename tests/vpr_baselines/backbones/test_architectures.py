@@ -4,6 +4,7 @@ import torch
 from vpr_baselines.backbones.alexnet import AlexNet
 from vpr_baselines.backbones.architectures import ARCHITECTURES, WHOLE_ALEXNET, load_network
 from vpr_baselines.backbones.efficientnet_lite0 import EfficientNetLite0
+from vpr_baselines.backbones.layers import respond
 from vpr_baselines.backbones.resnet18 import ResNet18
 from vpr_bench.errors import DataError, UsageError
 from vpr_bench.weights.checkpoint import load_checkpoint
@@ -19,7 +20,7 @@ def test_the_folded_network_computes_what_the_published_one_does():
     folded = load_network(ARCHITECTURES["efficientnet-lite0"], "imagenet")
     assert not any(isinstance(part, torch.nn.BatchNorm2d) for part in folded.modules())
     with torch.inference_mode():
-        expected, found = published.features(IMAGES), folded.features(IMAGES)
+        expected, found = respond(published, IMAGES, ("head",))[0], respond(folded, IMAGES, ("head",))[0]
     assert expected.std() > 0.1
     assert torch.allclose(found, expected, atol=1e-3)
 
@@ -44,8 +45,8 @@ def test_a_checkpoint_of_places365_is_loaded_and_folded(resnet):
     folded = load_network(ARCHITECTURES["resnet18"], str(file))
     assert not any(isinstance(part, torch.nn.BatchNorm2d) for part in folded.modules())
     with torch.inference_mode():
-        expected = network.features(IMAGES)
-        assert torch.allclose(folded.features(IMAGES), expected, rtol=1e-3, atol=1e-4 * expected.max())
+        expected = respond(network, IMAGES, ("layer4",))[0]
+        assert torch.allclose(respond(folded, IMAGES, ("layer4",))[0], expected, rtol=1e-3, atol=1e-4 * expected.max())
 
 
 @pytest.mark.parametrize("whole", [True, False])
@@ -60,11 +61,11 @@ def test_an_alexnet_of_places365_is_loaded_whole_or_without_its_fully_connected_
         state = {key.replace("features.", "features.module."): value for key, value in network.state_dict().items()}
         state |= {f"classifier.{part}": torch.zeros(2, 3) for part in ("1.weight", "4.weight", "6.bias")}
         torch.save({"state_dict": state}, file)
+    layers = ("conv3", "fc7") if whole else ("conv3", "pool5")
     loaded = load_network(WHOLE_ALEXNET if whole else ARCHITECTURES["alexnet"], str(file))
     with torch.inference_mode():
-        assert torch.allclose(loaded.conv3(IMAGES), network.conv3(IMAGES), atol=1e-5)
-        if whole:
-            assert torch.allclose(loaded.fully_connected(IMAGES), network.fully_connected(IMAGES), atol=1e-5)
+        for expected, found in zip(respond(network, IMAGES, layers), respond(loaded, IMAGES, layers), strict=True):
+            assert torch.allclose(found, expected, atol=1e-5)
 
 
 def test_it_is_frozen_and_shared_by_all_that_ask_for_it():
@@ -87,7 +88,8 @@ def test_random_weights_depend_on_the_seed_alone():
 def test_random_networks_tell_images_apart(backbone):
     """Torch's own initialisation makes the last map of the deeper ones vanish."""
     with torch.inference_mode():
-        maps = load_network(ARCHITECTURES[backbone], "random").features(IMAGES).flatten(1)
+        one = ARCHITECTURES[backbone]
+        maps = respond(load_network(one, "random"), IMAGES, (one.last,))[0].flatten(1)
     assert torch.isfinite(maps).all()
     assert (maps[0] - maps[1]).abs().mean() > 1e-2
 

@@ -5,6 +5,7 @@ from sklearn.datasets import load_sample_image
 from torch.nn import functional
 
 from vpr_baselines.backbones.efficientnet_lite0 import MEAN, STD, EfficientNetLite0, _SameConv2d
+from vpr_baselines.backbones.layers import respond
 from vpr_bench.weights.place import find_weights
 
 
@@ -28,7 +29,7 @@ def test_its_state_has_exactly_the_keys_and_shapes_of_the_checkpoint():
 @pytest.mark.parametrize(("height", "width"), [(64, 96), (33, 65), (1, 1), (95, 31)])
 def test_the_feature_map_is_a_32nd_of_the_image_rounded_up(network, height, width):
     with torch.inference_mode():
-        maps = network.features(torch.zeros(2, 3, height, width))
+        (maps,) = respond(network, torch.zeros(2, 3, height, width), ("head",))
     assert maps.shape == (2, 1280, -(-height // 32), -(-width // 32))
     assert maps.min() >= 0 and maps.max() <= 6
 

@@ -2,6 +2,7 @@ import pytest
 import torch
 from torch.nn import functional
 
+from vpr_baselines.backbones.layers import respond
 from vpr_baselines.backbones.resnet18 import ResNet18
 
 
@@ -96,9 +97,9 @@ def test_it_computes_what_a_second_implementation_does(network, height, width):
     images = torch.randn(2, 3, height, width, generator=torch.Generator().manual_seed(1))
     with torch.inference_mode():
         maps, logits = reference(network.state_dict(), images)
-        assert network.features(images).shape == (2, 512, -(-height // 32), -(-width // 32))
+        assert respond(network, images, ("layer4",))[0].shape == (2, 512, -(-height // 32), -(-width // 32))
         assert maps.std() > 0.1
-        assert torch.allclose(network.features(images), maps, rtol=1e-4, atol=1e-4 * maps.abs().max())
+        assert torch.allclose(respond(network, images, ("layer4",))[0], maps, rtol=1e-4, atol=1e-4 * maps.abs().max())
         assert torch.allclose(network(images), logits, rtol=1e-4, atol=1e-4 * logits.abs().max())
 
 
@@ -112,7 +113,7 @@ def test_cut_networks_begin_as_the_whole_one_and_run(network, stages):
         x = functional.max_pool2d(functional.relu(network.bn1(network.conv1(images))), 3, 2, 1)
         for number in range(1, stages + 1):
             x = network.get_submodule(f"layer{number}")(x)
-        assert torch.equal(cut.features(images), x)
+        assert torch.equal(respond(cut, images, (f"layer{stages}" if stages else "conv1",))[0], x)
         assert cut(images).shape == (1, 5)
 
 

@@ -67,16 +67,17 @@ def test_it_is_shared_by_all_that_ask_for_it_and_its_network_by_trunks_of_other_
 
 
 @pytest.mark.parametrize(
-    ("backbone", "response", "shape"),
+    ("backbone", "layers", "shape"),
     [
-        ("resnet18", "features", (512, 2, 3)),
-        ("alexnet", "features", (256, 1, 2)),
-        ("alexnet", "conv3", (384, 3, 5)),
-        (WHOLE_ALEXNET, "fully_connected", (4096,)),
+        ("resnet18", (), (512, 2, 3)),
+        ("resnet18", ("layer2",), (128, 8, 12)),
+        ("alexnet", (), (256, 1, 2)),
+        ("alexnet", ("conv3",), (384, 3, 5)),
+        (WHOLE_ALEXNET, (), (4096,)),
     ],
 )
-def test_other_networks_and_responses(backbone, response, shape):
-    trunk = load_trunk(backbone, 96, 64, "random", response=response)
+def test_other_networks_and_layers(backbone, layers, shape):
+    trunk = load_trunk(backbone, 96, 64, "random", layers=layers)
     assert trunk.encode([noise(20, 30), noise(40, 30)]).shape == (2, *shape)
 
 
