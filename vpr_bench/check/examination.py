@@ -8,7 +8,7 @@ from typing import Generic, TypeVar
 
 from vpr_bench.check.outcome import Failed, Outcome, Skipped
 from vpr_bench.check.suite import Suite
-from vpr_bench.errors import UsageError, closest, one_line
+from vpr_bench.errors import UsageError, closest, error_in_words
 
 S = TypeVar("S")
 
@@ -51,12 +51,15 @@ class Examination(Generic[S]):
             If there is no such check, or the plug-in declares that one fails which does not exist.
         """
         found = self._run(name)
-        declared = self._declared().get(name)
+        declared = self._known("expected_failures").get(name)
+        excused = self._known("excused_failures").get(name)
         if declared is not None and found.result == "fail":
             return Outcome(name, "expected failure", declared, found.seconds, found.error)
         if declared is not None and found.result == "pass":
             reason = f"it passes, but is declared to fail ({declared}): take it out of expected_failures"
             return Outcome(name, "fail", reason, found.seconds)
+        if excused is not None and found.result == "fail":
+            return Outcome(name, "expected failure", excused, found.seconds, found.error)
         if found.result == "fail":
             reported = {check.id for check in self.checks}
             for foundation in self.suite.foundations(name):
@@ -64,8 +67,9 @@ class Examination(Generic[S]):
                     return Outcome(name, "skip", f"it builds on {foundation}, which fails", found.seconds)
         return found
 
-    def _declared(self) -> Mapping[str, str]:
-        declared: Mapping[str, str] = getattr(self.subject, "expected_failures", {})
+    def _known(self, declaration: str) -> Mapping[str, str]:
+        """Return what the plug-in declares, if there are such checks."""
+        declared: Mapping[str, str] = getattr(self.subject, declaration, {})
         known = [check.id for check in self.suite]
         for name in declared:
             if name not in known:
@@ -98,4 +102,4 @@ def in_words(error: BaseException) -> str:
     """Say what was raised, and in which line of whose file."""
     raised = traceback.extract_tb(error.__traceback__)
     where = f" ({Path(raised[-1].filename).name}, line {raised[-1].lineno})" if raised else ""
-    return f"{type(error).__name__}: {one_line(error)}{where}"
+    return error_in_words(error) + where

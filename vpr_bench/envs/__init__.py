@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from vpr_bench.envs.ranking import Ranking as Ranking
     from vpr_bench.envs.single import VprEnv as VprEnv
     from vpr_bench.envs.vector import VprVectorEnv as VprVectorEnv
+    from vpr_bench.envs.vector_latency import RecordVectorLatency as RecordVectorLatency
 
 _LAZY = {
     "Agent": "agent",
@@ -24,6 +25,7 @@ _LAZY = {
     "MethodAgent": "agent",
     "Ranking": "ranking",
     "RecordLatency": "latency",
+    "RecordVectorLatency": "vector_latency",
     "VprEnv": "single",
     "VprVectorEnv": "vector",
     "env_id": "ids",
@@ -36,6 +38,7 @@ __all__ = [
     "MethodAgent",
     "Ranking",
     "RecordLatency",
+    "RecordVectorLatency",
     "VprEnv",
     "VprVectorEnv",
     "env_id",

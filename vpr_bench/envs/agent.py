@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from vpr_bench.envs.ranking import Action, Ranking
 from vpr_bench.envs.single import VprEnv
 from vpr_bench.envs.vector import VprVectorEnv
-from vpr_bench.errors import UsageError, blaming
+from vpr_bench.errors import UsageError, VprBenchError, blaming
 from vpr_bench.method.build import build_method
+from vpr_bench.method.faults import fault_in, shortfall_in
 from vpr_bench.method.interfaces import Method
 
 AnyEnv = gymnasium.Env[Any, Any] | VectorEnv[Any, Any, Any]
@@ -92,7 +93,7 @@ class MethodAgent:
         Raises
         ------
         VprBenchError
-            If the method fails.
+            If the method fails, or answers nonsense.
         """
         if not self.batched_:
             return self._answer(observation, info["size"])
@@ -105,5 +106,10 @@ class MethodAgent:
 
     def _answer(self, image: NDArray[np.uint8], size: NDArray[np.int64]) -> Action:
         height, width = size.tolist()
-        with blaming(f"{type(self.method).__name__} failed while answering"):
-            return self.space_.of(self.method.match(np.ascontiguousarray(image[:height, :width]), self.k_))
+        name, places = type(self.method).__name__, self.space_.n_references
+        with blaming(f"{name} failed while answering"):
+            match = self.method.match(np.ascontiguousarray(image[:height, :width]), self.k_)
+        fault = fault_in(match, places, self.k_) or shortfall_in(match, self.method, places, self.k_)
+        if fault:
+            raise VprBenchError(f"{name} answered a query with {fault}.")
+        return self.space_.of(match)

@@ -1,32 +1,20 @@
 """A picture of one query beside its answer and the truth."""
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
 from vpr_bench.dataset.load import Case
 from vpr_bench.envs.exchange import Exchange, Verdict, spans
-from vpr_bench.report.ink import BLUE, GREEN, GREY, INK, PALE, PAPER, RED, cut, fitted, font
+from vpr_bench.report.ink import BLUE, GREEN, GREY, INK, PAPER, RED, cut, font
+from vpr_bench.report.panel import Panel, draw_panel, panel_size
 
 _COLOURS: dict[Verdict, str] = {"right": GREEN, "wrong": RED, "no answer": RED, "not counted": GREY}
 _WIDTH, _LEAST, _MOST = 320, 120, 400
 """Of a picture, and between what its height lies; pixels."""
 
-_GAP, _FRAME, _HEAD, _TITLE, _LINE = 16, 4, 58, 24, 19
+_GAP, _HEAD = 16, 58
 _SIMULATED = "SIMULATED"
-
-
-@dataclass(frozen=True)
-class _Panel:
-    """A picture, or a space for one, with a title above it and two lines below."""
-
-    title: str
-    colour: str
-    pixels: NDArray[np.uint8] | None
-    empty: str
-    lines: tuple[str, str] = ("", "")
 
 
 def draw(case: Case, shape: tuple[int, int, int], waiting: int | None, one: Exchange | None) -> NDArray[np.uint8]:
@@ -52,39 +40,40 @@ def draw(case: Case, shape: tuple[int, int, int], waiting: int | None, one: Exch
     if one is None:
         shown = None if waiting is None else case.queries[waiting]
         panels = [
-            _Panel("Query", BLUE, shown, ""),
-            _Panel("Answer", GREY, None, "not answered yet"),
-            _Panel("Truth", GREY, None, ""),
+            Panel("Query", BLUE, shown, ""),
+            Panel("Answer", GREY, None, "not answered yet"),
+            Panel("Truth", GREY, None, ""),
         ]
     else:
         panels = [_query(case, one), _answer(case, one), _truth(case, one)]
-    cell = _WIDTH + 2 * _FRAME
-    canvas = Image.new("RGB", (3 * cell + 4 * _GAP, _HEAD + _TITLE + height + 2 * _FRAME + 2 * _LINE + _GAP), PAPER)
+    box = (_WIDTH, height)
+    width, tall = panel_size(box)
+    canvas = Image.new("RGB", (3 * width + 4 * _GAP, _HEAD + tall + _GAP), PAPER)
     pen = ImageDraw.Draw(canvas)
     _draw_head(pen, case, one, canvas.width)
     for number, panel in enumerate(panels):
-        _draw_panel(canvas, panel, (_GAP + number * (cell + _GAP), _HEAD), height)
+        draw_panel(canvas, panel, (_GAP + number * (width + _GAP), _HEAD), box)
     return np.array(canvas)
 
 
-def _query(case: Case, one: Exchange) -> _Panel:
-    return _Panel("Query", BLUE, case.queries[one.query], "", (f"query {one.query}", case.queries.name_of(one.query)))
+def _query(case: Case, one: Exchange) -> Panel:
+    return Panel("Query", BLUE, case.queries[one.query], "", (f"query {one.query}", case.queries.name_of(one.query)))
 
 
-def _answer(case: Case, one: Exchange) -> _Panel:
+def _answer(case: Case, one: Exchange) -> Panel:
     title, colour = "No answer" if one.verdict == "no answer" else f"Answer: {one.verdict}", _COLOURS[one.verdict]
     if one.answer < 0:
-        return _Panel(title, colour, None, "nothing answered")
+        return Panel(title, colour, None, "nothing answered")
     lines = (f"reference {one.answer} · score {one.score:.4g}", case.references.name_of(one.answer))
-    return _Panel(title, colour, case.references[one.answer], "", lines)
+    return Panel(title, colour, case.references[one.answer], "", lines)
 
 
-def _truth(case: Case, one: Exchange) -> _Panel:
+def _truth(case: Case, one: Exchange) -> Panel:
     if not len(one.truth):
-        return _Panel("Truth", GREY, None, "no true match")
+        return Panel("Truth", GREY, None, "no true match")
     best = _nearest(case, one)
     more = f" · {spans(one.truth)} are right" if len(one.truth) > 1 else ""
-    return _Panel("Truth", GREEN, case.references[best], "", (f"reference {best}{more}", case.references.name_of(best)))
+    return Panel("Truth", GREEN, case.references[best], "", (f"reference {best}{more}", case.references.name_of(best)))
 
 
 def _nearest(case: Case, one: Exchange) -> int:
@@ -109,22 +98,3 @@ def _draw_head(pen: ImageDraw.ImageDraw, case: Case, one: Exchange | None, width
     if one is not None:
         said = f"{one.asked} of {len(case.queries)} queries answered, {one.earned} right ({one.earned / one.asked:.0%})"
     pen.text((_GAP, 34), said, GREY, font(13))
-
-
-def _draw_panel(canvas: Image.Image, panel: _Panel, corner: tuple[int, int], height: int) -> None:
-    pen, (left, top) = ImageDraw.Draw(canvas), corner
-    middle = left + _FRAME + _WIDTH // 2
-    pen.text((left, top), panel.title, panel.colour, font(15, bold=True))
-    top += _TITLE
-    bottom = top + height + 2 * _FRAME
-    pen.rectangle((left, top, left + _WIDTH + 2 * _FRAME - 1, bottom - 1), panel.colour)
-    pen.rectangle((left + _FRAME, top + _FRAME, left + _FRAME + _WIDTH - 1, bottom - _FRAME - 1), PALE)
-    if panel.pixels is None:
-        pen.text((middle, (top + bottom) // 2), panel.empty, GREY, font(15), "mm")
-    else:
-        picture = fitted(panel.pixels, (_WIDTH, height))
-        canvas.paste(picture, (middle - picture.width // 2, (top + bottom - picture.height) // 2))
-    for number, (line, colour) in enumerate(zip(panel.lines, (INK, GREY), strict=True)):
-        if line:
-            spot = (middle, bottom + 4 + number * _LINE)
-            pen.text(spot, cut(line, _WIDTH, font(13)), colour, font(13), "ma")

@@ -128,7 +128,8 @@ class Ranking(Dict):
         indices, scores = self._arrays(action)
         chosen = slice(None) if rows is None else rows
         indices = indices.reshape(-1, self.k)[chosen].astype(np.int64)
-        scores = scores.reshape(-1, self.k)[chosen].astype(np.float32)
+        with np.errstate(over="ignore"):  # what float32 cannot hold becomes infinite, and is refused below
+            scores = scores.reshape(-1, self.k)[chosen].astype(np.float32)
         answered = indices >= 0
         in_order = np.sort(indices, axis=1)
         faults = {

@@ -13,6 +13,7 @@ from vpr_bench.envs.exchange import Batch, in_words
 from vpr_bench.envs.picture import draw
 from vpr_bench.envs.ranking import Action, Ranking
 from vpr_bench.envs.task import Asking, Order, Task
+from vpr_bench.errors import UsageError
 from vpr_bench.types.protocol import Unmatched
 
 RENDER_MODES = ["rgb_array", "ansi"]
@@ -77,6 +78,8 @@ class VprEnv(Asking, gymnasium.Env[NDArray[np.uint8], Action]):
         in_memory: bool = False,
         render_mode: str | None = None,
     ) -> None:
+        if render_mode not in (None, *RENDER_MODES):
+            raise UsageError(f"render_mode must be {' or '.join(RENDER_MODES)}. Got {render_mode!r} instead.")
         self.task = Task.load(dataset, protocol, edition, radius, unmatched, k, order, size, in_memory)
         self.render_mode = render_mode
         self.observation_space = Box(0, 255, self.task.frames.shape, np.uint8)

@@ -61,8 +61,9 @@ class Task:
         in_memory: bool,
     ) -> Self:
         """Load it; the parameters are those of :class:`~vpr_bench.envs.single.VprEnv`."""
-        if not isinstance(dataset, str):
-            raise UsageError(f"dataset must be text, so that it can stand in a spec. Got {dataset!r} instead.")
+        for name, value in {"dataset": dataset, "protocol": protocol or "", "edition": edition}.items():
+            if not isinstance(value, str):
+                raise UsageError(f"{name} must be text, so that it can stand in a spec. Got {value!r} instead.")
         case = load_case(dataset, protocol, edition, radius, unmatched)
         return cls.of(case, k, order, size, in_memory)
 
@@ -88,7 +89,7 @@ class Task:
             raise UsageError(f"There is no order {order!r}. {closest(str(order), get_args(Order))}")
         places = len(case.references)
         k = min(DEFAULT_K, places) if k is None else k
-        if not isinstance(k, int | np.integer) or not 1 <= k <= places:
+        if isinstance(k, bool) or not isinstance(k, int | np.integer) or not 1 <= k <= places:
             raise UsageError(f"k must lie between 1 and {places}, the number of references. Got {k!r} instead.")
         if size is not None:
             case = replace(case, references=resized(case.references, size), queries=resized(case.queries, size))

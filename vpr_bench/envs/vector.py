@@ -1,11 +1,9 @@
 """A batch of queries per step."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from gymnasium.error import ResetNeeded
-from gymnasium.spaces import Box
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 from numpy.typing import NDArray
@@ -13,10 +11,9 @@ from numpy.typing import NDArray
 from vpr_bench.envs.exchange import Batch, Exchange, in_words
 from vpr_bench.envs.picture import draw
 from vpr_bench.envs.ranking import Action, Ranking
-from vpr_bench.envs.single import RENDER_MODES
-from vpr_bench.envs.task import Asking, Order, Task
+from vpr_bench.envs.single import RENDER_MODES, VprEnv
+from vpr_bench.envs.task import Asking
 from vpr_bench.errors import UsageError
-from vpr_bench.types.protocol import Unmatched
 
 
 class VprVectorEnv(Asking, VectorEnv[NDArray[np.uint8], Action, NDArray[Any]]):
@@ -31,12 +28,15 @@ class VprVectorEnv(Asking, VectorEnv[NDArray[np.uint8], Action, NDArray[Any]]):
 
     Parameters
     ----------
+    dataset : str
+        As in the single environment.
     num_envs : int
         Queries per step.
     autoreset_mode : {"NextStep", "Disabled"}
         What the step after the last one does: it begins the next episode, whatever the action, or is an error.
-    dataset, protocol, edition, radius, unmatched, k, order, size, in_memory, render_mode
-        As in the single environment; what is rendered is a tuple with one picture or line per row.
+    **settings
+        The others of the single environment, ``protocol`` and so on; what is rendered is a tuple with one picture or
+        line per row.
 
     Raises
     ------
@@ -49,28 +49,19 @@ class VprVectorEnv(Asking, VectorEnv[NDArray[np.uint8], Action, NDArray[Any]]):
     def __init__(
         self,
         dataset: str,
-        protocol: str | None = None,
-        edition: str = "auto",
-        radius: float | None = None,
-        unmatched: Unmatched | None = None,
-        k: int | None = None,
-        order: Order = "shuffled",
-        size: Sequence[int] | None = None,
-        in_memory: bool = False,
-        render_mode: str | None = None,
         num_envs: int = 1,
         autoreset_mode: str | AutoresetMode = AutoresetMode.NEXT_STEP,
+        **settings: Any,
     ) -> None:
-        if num_envs < 1:
-            raise UsageError(f"num_envs must be at least 1. Got {num_envs} instead.")
+        if not isinstance(num_envs, int) or num_envs < 1:
+            raise UsageError(f"num_envs must be a whole number of at least 1. Got {num_envs!r} instead.")
         self._mode = _autoreset(autoreset_mode)
         self.metadata = {"render_modes": RENDER_MODES, "render_fps": 2, "autoreset_mode": self._mode}
-        self.task = Task.load(dataset, protocol, edition, radius, unmatched, k, order, size, in_memory)
-        self.num_envs, self.render_mode = num_envs, render_mode
-        self.single_observation_space = Box(0, 255, self.task.frames.shape, np.uint8)
+        row = VprEnv(dataset, **settings)
+        self.task, self.num_envs, self.render_mode = row.task, num_envs, row.render_mode
+        self.single_observation_space, self.single_action_space = row.observation_space, row.action_space
         self.observation_space = batch_space(self.single_observation_space, num_envs)
-        self.single_action_space: Ranking = Ranking(len(self.task.case.references), self.task.k)
-        self.action_space: Ranking = Ranking(len(self.task.case.references), self.task.k, num_envs)
+        self.action_space: Ranking = Ranking(len(self.references), self.k, num_envs)
         self._questions: NDArray[np.int64] | None = None
         self._asked, self._earned = 0, 0
         self._last: Batch | None = None

@@ -10,7 +10,7 @@ from typing import Any
 
 from torch import Tensor
 
-from vpr_bench.errors import DataError, one_line
+from vpr_bench.errors import DataError, error_in_words, one_line
 from vpr_bench.files.disk import disk_errors
 
 _WRAPPERS = ("state_dict", "model_state_dict", "model", "network")
@@ -90,8 +90,8 @@ def _explain(path: Path, start: bytes, error: Exception) -> str:
             f"{path} is refused: {why}. Nothing of it was run; get it from its publisher, "
             "or have it saved as safetensors."
         )
-    reason = one_line(error).partition(" In PyTorch 2.6")[0]
-    return f"{path} is damaged or no checkpoint ({type(error).__name__}: {reason:.200}). Get it again."
+    reason = error_in_words(error).partition(" In PyTorch 2.6")[0]
+    return f"{path} is damaged or no checkpoint ({reason:.200}). Get it again."
 
 
 def _unwrapped(loaded: object) -> object:

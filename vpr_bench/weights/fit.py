@@ -100,12 +100,16 @@ def fit_checkpoint(
     Raises
     ------
     DataError
-        If a key is missing, unexpected, or of another shape; names the first ones of each kind.
+        If a key is missing, unexpected, or of another shape (names the first ones of each kind), or what would be
+        loaded is not finite.
     """
     fit = compare(module, state, allow_head=allow_head)
     if fit.missing or fit.unexpected or fit.reshaped:
         raise DataError(f"{name} does not fit {type(module).__name__}: {fit}.")
     own = module.state_dict()
+    for key in fit.loaded:
+        if not torch.isfinite(state[key]).all():
+            raise DataError(f"{name} is damaged: {key} holds NaN or infinite numbers. Get it again.")
     with torch.no_grad():
         for key in fit.loaded:
             own[key].copy_(state[key])

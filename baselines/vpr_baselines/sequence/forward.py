@@ -68,7 +68,7 @@ class ForwardFilter(SequenceWrapper):
 
     version: ClassVar[str] = "1"
 
-    v_max: Annotated[int, Field(ge=1)] = 2
+    v_max: Annotated[int, Field(ge=1, le=100_000)] = 2
     pace: Annotated[float, Field(gt=0)] = 1.0
     sharpness: Annotated[float, Field(gt=0)] = 0.25
     jump: Annotated[float, Field(ge=1e-9, le=1)] = 0.01

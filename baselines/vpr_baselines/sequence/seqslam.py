@@ -14,8 +14,8 @@ from vpr_bench.timing import stage
 from vpr_bench.types.match import Match
 
 _STEP = 0.1  # between two velocities
-_Count = Annotated[int, Field(ge=0)]
-_Velocity = Annotated[float, Field(ge=0)]
+_Count = Annotated[int, Field(ge=0, le=10_000)]
+_Velocity = Annotated[float, Field(ge=0, le=1000)]  # a line for every tenth: more would take for ever
 
 
 @dataclass

@@ -12,6 +12,7 @@ from pydantic import Field
 from vpr_baselines.sequence.rows import contrasted, similarity_row
 from vpr_bench.method.build import build_method
 from vpr_bench.method.interfaces import Method, Persistent, is_sequential
+from vpr_bench.shortlist import collect_shortlists
 from vpr_bench.types.traverse import Traverse
 
 _SIZE_FILE, _INNER_FOLDER = "size.json", "inner"
@@ -57,7 +58,9 @@ class SequenceWrapper:
 
     def row(self, image: NDArray[np.uint8]) -> NDArray[np.float32]:
         """Return the (N,) float32 contrasted similarities of a (H, W, 3) uint8 RGB frame to all references."""
-        return contrasted(similarity_row(self._method, image, self.size_), self.contrast)
+        with collect_shortlists():  # what the method inside rules out for one frame, the sequence may still answer
+            row = similarity_row(self._method, image, self.size_)
+        return contrasted(row, self.contrast)
 
     def save(self, folder: Path) -> None:
         """Write the map of the method inside.

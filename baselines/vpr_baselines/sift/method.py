@@ -80,6 +80,11 @@ class Sift:
         else:
             self._engine = StackedSift(self.size, self.n_features, metric=self.metric, index=self.index)
 
+    @property
+    def may_answer_fewer(self) -> str:
+        """Why there can be fewer answers than were asked for."""
+        return "references without a match are no answer" if self.mode == "local" else ""
+
     def fit(self, references: Traverse) -> None:
         """Describe every reference."""
         self._engine.fit(references)

@@ -142,6 +142,15 @@ class AnswersAll(Good):
         return super().match(image, len(self.database_))
 
 
+@fails("as-many-as-asked")
+class AnswersOneFewer(Good):
+    def match(self, image, k):
+        return super().match(image, max(k - 1, 1))
+
+    def match_batch(self, images, k):
+        return [self.match(image, k) for image in images]
+
+
 @fails("answers-are-matches")
 class CannotFit(Good):
     def fit(self, references):
@@ -485,6 +494,24 @@ def test_a_good_sequence_method_passes_everything():
         "permuted-queries": "it is sequential: what came before counts",
         "permuted-references": "it is sequential: the order of the map counts",
     }
+
+
+def test_who_declares_why_may_answer_fewer():
+    @dataclass
+    class KeepsOnlyWhatIsAlike(Good):
+        may_answer_fewer: ClassVar[str] = "what is not alike is no answer"
+
+        def match(self, image, k):
+            match = Good.match(self, image, k)
+            near = match.scores > match.scores[0] - 1
+            return Match(match.indices[near], match.scores[near])
+
+        def match_batch(self, images, k):
+            return [self.match(image, k) for image in images]
+
+    found = results(KeepsOnlyWhatIsAlike)
+    assert "fail" not in {one.result for one in found.values()}
+    assert found["as-many-as-asked"].reason == "it may answer fewer: what is not alike is no answer"
 
 
 @pytest.mark.parametrize(("check", "method"), FAULTS, ids=[method.__name__ for _, method in FAULTS])

@@ -68,6 +68,13 @@ def test_a_failure_has_its_reason_fit_to_print_and_excuses_what_builds_on_it():
     }
 
 
+@pytest.mark.parametrize(("faults", "result"), [(["first"], ("expected failure", "it hangs")), ([], ("pass", ""))])
+def test_an_excused_failure_may_happen_or_not(faults, result):
+    excused = SimpleNamespace(faults=faults, ran=[], excused_failures={"first": "it hangs"})
+    found = Examination(SUITE, excused).outcome("first")
+    assert (found.result, found.reason) == result
+
+
 def test_foreign_errors_are_failures_that_say_where():
     found = examine("second").outcome("second")
     assert found.result == "fail"

@@ -19,6 +19,7 @@ CHECKED = [
     "sad:raw",
     "seqslam",
     ("seqslam", {**_NETWORK, "future": 3}),
+    ("seqslam", {"inner": "random"}),
     ("sift", {"size": 160}),
     ("sift", {"size": 160, "verify": "homography"}),
     ("sift:thesis", {"size": 160}),

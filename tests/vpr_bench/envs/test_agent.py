@@ -18,6 +18,7 @@ class Failing:
 def test_a_method_is_shown_images_as_they_are(make_env, make_case, brightness):
     case = make_case(sizes=[(6, 8), (9, 5), (2, 2)])
     seen = []
+    brightness.may_answer_fewer = "only the first counts here"
     brightness.match = lambda image, k: seen.append(image) or Match([0], [1.0])
     for settings in ({}, {"num_envs": 2}):
         env = make_env(case, order="sequential", **settings)
@@ -44,6 +45,24 @@ def test_fewer_places_than_the_environment_takes(make_env, brightness):
     assert action in env.action_space and (action["indices"] >= 0).sum() == 2
     with pytest.raises(UsageError, match="1 to 5 places"):
         MethodAgent(brightness, k=6).fit(env)
+
+
+@pytest.mark.parametrize(
+    ("answer", "said"),
+    [
+        (Match([0], [1.0]), "1 reference where 3 were asked for"),
+        (Match(range(4), np.zeros(4)), "4 references where 3 were asked for"),
+        (Match([8, 1, 2], [3.0, 2.0, 1.0]), "reference 8 of a map of 8"),
+        ([1, 2, 3], "a list instead of a Match"),
+    ],
+)
+def test_what_is_no_answer_in_a_run_is_none_here(make_env, brightness, answer, said):
+    env = make_env(k=3)
+    agent = MethodAgent(brightness)
+    agent.fit(env)
+    brightness.match = lambda image, k: answer
+    with pytest.raises(VprBenchError, match=f"Brightness answered a query with {said}"):
+        agent.act(*env.reset(seed=0))
 
 
 def test_a_method_by_its_name(make_env):

@@ -67,6 +67,7 @@ def test_valid_answers_belong_to_it(valid):
         (action([4, 2, 0], [np.nan, 0.5, 0.1]), "finite"),
         (action([4, 2, 0], [np.inf, 0.5, 0.1]), "finite"),
         (action([4, 2, -1], [0.5, -np.inf, 0]), "finite"),
+        ({"indices": [4, 2, 0], "scores": [1e300, 1, 0]}, "finite"),
         (action([4, 2], [0.5, 0.1]), "shape (3,)"),
         (action([4.0, 2.0, 0.0]), "integers"),
         (action([4, 2, 0])["indices"], "dict"),

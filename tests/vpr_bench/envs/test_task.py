@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -33,6 +35,7 @@ def test_queries_and_map_are_stretched_together(make_case):
         ({"k": 0}, "k must lie between 1 and 8"),
         ({"k": 9}, "k must lie between 1 and 8"),
         ({"k": "3"}, "k must lie between 1 and 8"),
+        ({"k": True}, "k must lie between 1 and 8"),
         ({"order": "shuffle"}, "Did you mean 'shuffled'?"),
         ({"size": (0, 3)}, "size must be"),
     ],
@@ -42,6 +45,8 @@ def test_settings_that_are_none(make_case, settings, words):
         Task.of(make_case(), **settings)
 
 
-def test_a_dataset_must_fit_into_a_spec(tmp_path):
-    with pytest.raises(UsageError, match="must be text"):
-        Task.load(tmp_path, None, "auto", None, None, None, "shuffled", None, False)
+@pytest.mark.parametrize("wrong", [{"dataset": Path("walk")}, {"protocol": 3}, {"edition": 3}], ids=str)
+def test_names_must_fit_into_a_spec(wrong):
+    names = {"dataset": "plain", "protocol": None, "edition": "auto", **wrong}
+    with pytest.raises(UsageError, match=f"{next(iter(wrong))} must be text"):
+        Task.load(**names, radius=None, unmatched=None, k=None, order="shuffled", size=None, in_memory=False)

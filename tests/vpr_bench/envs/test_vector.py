@@ -100,7 +100,12 @@ def test_the_wrong_row_is_an_error(make_env):
 
 @pytest.mark.parametrize(
     ("settings", "words"),
-    [({"num_envs": 0}, "num_envs must be"), ({"num_envs": 2, "autoreset_mode": "SameStep"}, "NextStep or Disabled")],
+    [
+        ({"num_envs": 0}, "num_envs must be"),
+        ({"num_envs": 1.5}, "num_envs must be"),
+        ({"num_envs": 2, "autoreset_mode": "SameStep"}, "NextStep or Disabled"),
+        ({"num_envs": 2, "render_mode": "ascii"}, "render_mode must be rgb_array or ansi"),
+    ],
 )
 def test_settings_that_are_none(make_env, settings, words):
     with pytest.raises(UsageError, match=words):

@@ -30,6 +30,16 @@ def test_what_does_not_fit_is_reported_and_nothing_is_changed():
     assert all(torch.equal(target.state_dict()[key], value) for key, value in before.items())
 
 
+@pytest.mark.parametrize("number", [float("nan"), float("inf")])
+def test_weights_that_are_no_numbers_are_refused_and_nothing_is_changed(number):
+    layer = nn.Linear(2, 3)
+    before = layer.weight.clone()
+    state = {"weight": torch.zeros(3, 2), "bias": torch.tensor([0.0, number, 0.0])}
+    with pytest.raises(DataError, match="is damaged: bias holds NaN or infinite numbers"):
+        fit_checkpoint(layer, state)
+    assert torch.equal(layer.weight, before)
+
+
 def test_only_the_first_of_many_keys_are_named():
     fit = compare(network(), {})
     assert "8 missing (0.weight, 0.bias, 1.weight, 1.bias and 4 more)" in str(fit)

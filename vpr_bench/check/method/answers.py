@@ -3,13 +3,12 @@
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
 from vpr_bench.check.method.asking import ask, fit
 from vpr_bench.check.method.subject import Subject
 from vpr_bench.check.method.world import ANSWERS, PLACES, as_map, picture, revisited, usual_map, usual_queries
-from vpr_bench.check.outcome import Failed
+from vpr_bench.check.outcome import Failed, Skipped
 from vpr_bench.check.suite import check
+from vpr_bench.method.faults import fault_in, shortfall_in, why_fewer
 from vpr_bench.types.match import Match
 
 
@@ -28,17 +27,12 @@ def expect_matches(answers: Sequence[Any], n_references: int, k: int, what: str 
 
 
 def _fault(answer: Any, n_references: int, k: int) -> str:
-    if not isinstance(answer, Match):
-        return f"a {type(answer).__name__} instead of a Match"
-    try:
-        again = Match(answer.indices, answer.scores)  # arrays can be written to after they were checked
-    except ValueError as error:
-        return f"what is no Match: {error}"
-    if len(again) > k:
-        return f"{len(again)} references where {k} were asked for"
-    if again.indices.max(initial=-1) >= n_references:
-        return f"reference {np.max(again.indices)} of a map of {n_references}"
-    return ""
+    if isinstance(answer, Match):
+        try:
+            answer = Match(answer.indices, answer.scores)  # arrays can be written to after they were checked
+        except ValueError as error:
+            return f"what is no Match: {error}"
+    return fault_in(answer, n_references, k)
 
 
 @check("answers-are-matches", "declares-parameters")
@@ -49,6 +43,21 @@ def answers_are_matches(subject: Subject) -> None:
     fit(method, usual_map())
     for k in (1, PLACES):
         expect_matches(ask(method, usual_queries()[:2], k, f"with k={k}"), PLACES, k, f"with k={k}")
+
+
+@check("as-many-as-asked", "answers-are-matches")
+def as_many_as_asked(subject: Subject) -> None:
+    """Check that it answers with as many references as it is asked for, unless it declares why it may not."""
+    method = subject.make()
+    reason = why_fewer(method)
+    if reason:
+        raise Skipped(f"it may answer fewer: {reason}")
+    fit(method, usual_map())
+    for k, answers in ((ANSWERS, subject.usual_answers), (PLACES, ask(method, usual_queries()[:2], PLACES))):
+        for query, answer in enumerate(answers):
+            fault = shortfall_in(answer, method, PLACES, k)
+            if fault:
+                raise Failed(f"match answers query {query} with {fault}")
 
 
 @check("more-asked-than-there-are", "answers-are-matches")
@@ -69,4 +78,4 @@ def map_of_one(subject: Subject) -> None:
     expect_matches(ask(method, revisited([0, 1]), 1, what), 1, 1, what)
 
 
-CHECKS = (answers_are_matches, more_asked_than_there_are, map_of_one)
+CHECKS = (answers_are_matches, as_many_as_asked, more_asked_than_there_are, map_of_one)

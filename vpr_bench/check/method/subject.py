@@ -91,11 +91,26 @@ class Subject:
     @cached_property
     def expected_failures(self) -> Mapping[str, str]:
         """Which checks the method says that it fails, and why."""
+        return _declared(self._one)
+
+    @cached_property
+    def excused_failures(self) -> Mapping[str, str]:
+        """Which checks the methods inside it say that they fail: it may fail them too, or make up for it."""
+        held = getattr(self._one, "__dict__", {}).values()
+        return {
+            check: f"{reason} (the method inside)"
+            for method in held
+            if isinstance(method, Method)
+            for check, reason in _declared(method).items()
+            if check not in self.expected_failures
+        }
+
+    @cached_property
+    def _one(self) -> Method | None:
         try:
-            declared: Mapping[str, str] = getattr(self.make(), "expected_failures", {})
+            return self.make()
         except Exception:  # that it cannot be made is what its checks will say
-            return {}
-        return declared
+            return None
 
     @cached_property
     def usual_answers(self) -> list[Match]:
@@ -103,6 +118,11 @@ class Subject:
         method = self.make()
         fit(method, usual_map())
         return ask(method, usual_queries(), ANSWERS)
+
+
+def _declared(method: Any) -> Mapping[str, str]:
+    declared: Mapping[str, str] = getattr(method, "expected_failures", {})
+    return declared
 
 
 def _importable(method: type) -> str:
