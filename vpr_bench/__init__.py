@@ -12,6 +12,7 @@ from vpr_bench.envs.hook import make_ids_known
 if TYPE_CHECKING:
     __version__: str
     from vpr_bench.dataset.load import load_case as load_case
+    from vpr_bench.maps.map import load_map as load_map
     from vpr_bench.runner.run import run as run
     from vpr_bench.timing import stage as stage
     from vpr_bench.types.ground_truth import GroundTruth as GroundTruth
@@ -25,11 +26,12 @@ _LAZY = {
     "Protocol": "vpr_bench.types.protocol",
     "Traverse": "vpr_bench.types.traverse",
     "load_case": "vpr_bench.dataset.load",
+    "load_map": "vpr_bench.maps.map",
     "run": "vpr_bench.runner.run",
     "stage": "vpr_bench.timing",
 }
 
-__all__ = ["GroundTruth", "Match", "Protocol", "Traverse", "__version__", "load_case", "run", "stage"]
+__all__ = ["GroundTruth", "Match", "Protocol", "Traverse", "__version__", "load_case", "load_map", "run", "stage"]
 
 make_ids_known()
 

@@ -64,6 +64,13 @@ class Definition:
                     return None
         return next((value for base in self._bases() if (value := base.constant(name)) is not None), None)
 
+    def defines(self, method: str) -> bool:
+        """Say whether a class has a method of that name, its own or inherited."""
+        own = self.node.body if isinstance(self.node, ast.ClassDef) else []
+        if any(isinstance(part, ast.FunctionDef) and part.name == method for part in own):
+            return True
+        return any(base.defines(method) for base in self._bases())
+
     def _annotated(self) -> list[tuple[str, ast.AnnAssign]]:
         body = self.node.body if isinstance(self.node, ast.ClassDef) else []
         return [(ast.unparse(part.target), part) for part in body if isinstance(part, ast.AnnAssign)]

@@ -51,7 +51,18 @@ def blaming(what: str, kind: type[VprBenchError] = VprBenchError) -> Iterator[No
     except VprBenchError:
         raise
     except (Exception, SystemExit) as error:  # a plug-in that exits must not pass for a good end
-        raise kind(f"{what}: {type(error).__name__}: {one_line(error)}") from error
+        raise kind(f"{what}: {error_in_words(error)}") from error
+
+
+def error_in_words(error: BaseException) -> str:
+    r"""Write what was raised, and what it says, on one line.
+
+    Examples
+    --------
+    >>> error_in_words(ValueError("too\nlarge")), error_in_words(MemoryError())
+    ('ValueError: too large', 'MemoryError')
+    """
+    return f"{type(error).__name__}: {one_line(error)}".removesuffix(": ")
 
 
 def one_line(text: object) -> str:

@@ -9,7 +9,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from vpr_bench.errors import UsageError, VprBenchError, closest, one_line
+from vpr_bench.errors import UsageError, VprBenchError, closest, error_in_words, one_line
+from vpr_bench.garbage import no_collections
 
 
 def is_file(module: str) -> bool:
@@ -33,11 +34,15 @@ def import_object(target: str, called: str) -> Any:
     """
     module, _, attribute = target.rpartition(":") if ":" in target else (target, "", "")
     try:
-        loaded: Any = _import_file(Path(module)) if is_file(module) else importlib.import_module(module)
+        with no_collections():
+            loaded: Any = _import_file(Path(module)) if is_file(module) else importlib.import_module(module)
         for part in attribute.split("."):
             loaded = _part(loaded, part)
     except (Exception, SystemExit) as error:  # a plug-in that exits must not pass for a good end
-        reason = one_line(error) if isinstance(error, VprBenchError) else f"{type(error).__name__}: {one_line(error)}"
+        if isinstance(error, SyntaxError):  # without the place, which is said before it
+            reason = f"{type(error).__name__}: {one_line(error.msg)}"
+        else:
+            reason = one_line(error) if isinstance(error, VprBenchError) else error_in_words(error)
         raise UsageError(f"{called} cannot be loaded from {target}: {_where(error)}{reason}") from error
     return loaded
 

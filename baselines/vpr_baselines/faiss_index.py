@@ -54,16 +54,18 @@ class FaissIndex:
         return cls(index, metric)
 
     def search(self, descriptor: NDArray[np.float32], k: int) -> Match:
-        """Return about the ``k`` nearest; possibly fewer."""
+        """Return about the ``k`` nearest; all references if there are no more."""
         k = min(k, self._index.ntotal)
-        if hasattr(self._index, "hnsw"):
-            options = {"params": faiss.SearchParametersHNSW(efSearch=max(_BREADTH, 2 * k))}
-        else:
-            options = {}
+        graph = hasattr(self._index, "hnsw")
+        options = {"params": faiss.SearchParametersHNSW(efSearch=max(_BREADTH, 2 * k))} if graph else {}
         found, indices = self._index.search(descriptor[np.newaxis], k, **options)
-        answered = indices[0] >= 0
-        values = found[0][answered]
-        return Match(indices[0][answered], values if self._metric == "cosine" else -np.sqrt(np.maximum(values, 0)))
+        if indices[0, -1] < 0:  # where it looked there are fewer: it looks everywhere
+            if graph:
+                found, indices = faiss.downcast_index(self._index.storage).search(descriptor[np.newaxis], k)
+            else:
+                everywhere = faiss.SearchParametersIVF(nprobe=self._index.nlist)
+                found, indices = self._index.search(descriptor[np.newaxis], k, params=everywhere)
+        return Match(indices[0], found[0] if self._metric == "cosine" else 0 - np.sqrt(np.maximum(found[0], 0)))
 
     def save(self, folder: Path) -> None:
         """Write the index as ``database.faiss``."""

@@ -106,6 +106,11 @@ class TestFaiss:
         found = build_index(name, metric, database[:2]).search(database[1], 9)
         assert found.indices.tolist() == [1, 0]
 
+    def test_as_many_are_answered_as_are_asked_for(self, name, metric, database):
+        index = build_index(name, metric, database)
+        for k in (1, len(database) - 1, len(database) + 1):
+            assert len(index.search(database[0], k)) == min(k, len(database))
+
     def test_similarities_to_all_references_are_refused(self, name, metric, database):
         method = build_method("hog", {"index": name, "metric": metric, "width": 32, "height": 32}).method
         images = [np.random.default_rng(i).integers(0, 256, (32, 32, 3), dtype=np.uint8) for i in range(3)]

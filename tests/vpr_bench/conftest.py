@@ -1,15 +1,22 @@
-"""A web server on this machine that misbehaves on request, and small archives."""
+"""A web server on this machine that misbehaves on request, small archives, and a method that can do everything."""
 
 import hashlib
 import io
+import sys
 import tarfile
 import threading
+import types
 import zipfile
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
 
 import pytest
+
+from vpr_bench.method.build import METHODS
+from vpr_bench.registry import Entry
 
 
 @dataclass
@@ -178,3 +185,17 @@ def make_tar():
         return buffer.getvalue()
 
     return make
+
+
+@pytest.fixture
+def colours(monkeypatch: pytest.MonkeyPatch) -> types.ModuleType:
+    """Register the methods ``colours`` and ``forgetful``; what the first did is in ``done`` of the module."""
+    spec = spec_from_file_location("colours_plugin", Path(__file__).with_name("colours_plugin.py"))
+    module = module_from_spec(spec)
+    monkeypatch.setitem(sys.modules, "colours_plugin", module)
+    spec.loader.exec_module(module)
+    new = {
+        name: [Entry(name, f"colours_plugin:{name.title()}", "colours-plugin 1.0")] for name in ("colours", "forgetful")
+    }
+    monkeypatch.setitem(vars(METHODS), "_found", {**METHODS._found, **new})
+    return module

@@ -74,3 +74,12 @@ def test_constants_are_inherited_and_only_literals_are_read():
 )
 def test_what_cannot_be_read_is_none(target):
     assert Definition.find(target) is None
+
+
+def test_methods_of_a_class_its_own_and_inherited(tmp_path):
+    (tmp_path / "clustering.py").write_text(
+        "class Base:\n    def cluster(self): ...\nclass Method(Base):\n    def fit(self): ...\ndef made(): ...\n"
+    )
+    method = Definition.find("clustering:Method")
+    assert method.defines("fit") and method.defines("cluster") and not method.defines("match")
+    assert not Definition.find("clustering:made").defines("fit")

@@ -26,10 +26,28 @@ def heavy_after(code, *arguments):
 
 
 @pytest.mark.parametrize(
-    "arguments", [["--help"], ["list"], ["info", "gardens"], ["info", "twostage"], ["weights", "list"]], ids=" ".join
+    "arguments",
+    [
+        ["--help"],
+        ["list"],
+        ["info", "gardens"],
+        ["info", "twostage"],
+        ["weights", "list"],
+        ["fit", "--help"],
+        ["locate", "--help"],
+    ],
+    ids=" ".join,
 )
 def test_commands_that_only_name_things_import_nothing_heavy(arguments):
     assert heavy_after(COMMAND, *arguments) == []
+
+
+def test_a_map_is_asked_without_what_only_fitting_and_drawing_need(tiny_images, tmp_path):
+    fitted, photo = str(tmp_path / "hog.map"), str(tiny_images / "day_right" / "Image003.jpg")
+    words = ["fit", "-m", "hog", "-p", "width=64", "-p", "height=64", "--images", str(tiny_images / "day_left")]
+    heavy_after(COMMAND, *words, "-o", fitted)
+    assert heavy_after(COMMAND, "info", fitted) == []
+    assert heavy_after(COMMAND, "locate", fitted, photo) == ["cv2"]
 
 
 @pytest.mark.parametrize(

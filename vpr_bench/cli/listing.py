@@ -1,6 +1,7 @@
 """``vpr-bench list`` and ``vpr-bench info``: what there is."""
 
 from contextlib import suppress
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
@@ -22,6 +23,8 @@ INFO_EXAMPLES = """[bold]Examples[/bold]
 vpr-bench info gardens
 
 vpr-bench info twostage
+
+vpr-bench info gardens.map
 """
 
 
@@ -52,12 +55,12 @@ def list_(kind: KindArgument = None, form: TextFormatOption = "table") -> None:
 
 
 def info(
-    name: Annotated[str, typer.Argument(help="A method, dataset or metric, or a folder of your own images.")],
+    name: Annotated[str, typer.Argument(help="A method, dataset or metric, a map, or a folder of your own images.")],
     form: Annotated[
         PageFormat, typer.Option("--format", "-f", help="How to write to stdout; markdown for datasets only.")
     ] = "table",
 ) -> None:
-    """Say everything about one method, dataset or metric."""
+    """Say everything about one method, dataset, metric or map."""
     if form == "markdown":
         from vpr_bench.dataset.request import Request
         from vpr_bench.dataset.source import find_whole_card
@@ -65,7 +68,11 @@ def info(
 
         write(card_page(find_whole_card(Request.parse(name))).rstrip("\n"))
         return
-    facts = _describe(name)
+    show_facts(_describe(name), form)
+
+
+def show_facts(facts: dict[str, Any], form: TextFormat) -> None:
+    """Print what is known about one thing on stdout; a list holds parts of it, with facts of their own."""
     if form == "json":
         _write_json(facts)
         return
@@ -91,6 +98,11 @@ def _describe(name: str) -> dict[str, Any]:
     from vpr_bench.dataset.request import Request, own_folder
     from vpr_bench.method.build import METHODS
 
+    if (Path(name) / "map.json").is_file():
+        from vpr_bench.cli.map_facts import describe_map
+        from vpr_bench.maps.map import load_map
+
+        return describe_map(load_map(name))
     methods = {entry.name for entry in METHODS.entries()}
     datasets = {entry.name for entry in DATASETS.entries()}
     dataset = Request.parse(name).dataset  # gardens:simulated and whole protocol ids name it too
@@ -106,7 +118,7 @@ def _describe(name: str) -> dict[str, Any]:
     with suppress(UsageError):
         return {"metric": name, "definition": lookup(name).definition}
     known = methods | datasets | METRICS.keys()
-    raise UsageError(f"There is no method, dataset or metric {name!r}. {closest(name, known)}")
+    raise UsageError(f"There is no method, dataset, metric or map {name!r}. {closest(name, known)}")
 
 
 def _describe_method(name: str) -> dict[str, Any]:

@@ -69,14 +69,34 @@ def check_metrics(names: list[str] | None, default: Sequence[str]) -> list[str]:
 
 def print_rows(rows: Sequence["Row"], form: Format) -> None:
     """Print scored runs on stdout."""
-    from vpr_bench.report.table import render_tables, to_csv, to_json
+    from vpr_bench.report.markdown import to_markdown
+    from vpr_bench.report.table import render_tables
 
-    if form == "json":
-        write(to_json(rows))
-    elif form == "csv":
-        write(to_csv(rows))
+    if form in ("json", "csv"):
+        _write_rows(rows, form)
+    elif form == "markdown" and rows:
+        write(to_markdown(rows))
     elif rows:
         show(render_tables(rows, _cards(rows)))
+
+
+def print_sweep(rows: Sequence["Row"], form: Format) -> None:
+    """Print runs that were scored at several radii on stdout."""
+    from vpr_bench.report.sweep import sweep_grids
+
+    if form in ("json", "csv"):
+        _write_rows(rows, form)
+    elif form == "markdown":
+        write("\n\n".join(grid.markdown() for grid in sweep_grids(rows)))
+    else:
+        for grid in sweep_grids(rows):
+            show(grid.rich())
+
+
+def _write_rows(rows: Sequence["Row"], form: Format) -> None:
+    from vpr_bench.report.table import to_csv, to_json
+
+    write(to_json(rows) if form == "json" else to_csv(rows))
 
 
 def _cards(rows: Sequence["Row"]) -> dict[str, "Card"]:

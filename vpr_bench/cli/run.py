@@ -3,7 +3,6 @@
 import sys
 from contextlib import redirect_stdout
 from itertools import product
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal
 
 import typer
@@ -18,12 +17,16 @@ from vpr_bench.cli.options import (
     FormatOption,
     MetricOption,
     OutputOption,
+    ParamOption,
     RadiusOption,
+    ThreadsOption,
     UnmatchedOption,
     parse_radii,
 )
+from vpr_bench.cli.parameters import sort_parameters
 from vpr_bench.cli.results import Scoring, check_metrics, print_rows
-from vpr_bench.errors import DataError, UsageError, VprBenchError, closest
+from vpr_bench.cli.where import say_where
+from vpr_bench.errors import DataError, UsageError, VprBenchError
 
 if TYPE_CHECKING:
     from vpr_bench.dataset.load import Case
@@ -73,12 +76,7 @@ def run(
         typer.Option(help="references-queries, by name or of any of the traverses, or all. Default: the first."),
     ] = None,
     edition: EditionOption = "auto",
-    param: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--param", "-p", help="name=value; method.name=value for one of several, inner.name=value inside."
-        ),
-    ] = None,
+    param: ParamOption = None,
     radius: RadiusOption = None,
     unmatched: UnmatchedOption = None,
     seed: Annotated[int, typer.Option(min=0, help="Of the order of the queries and of the methods.")] = 0,
@@ -93,7 +91,7 @@ def run(
         float | None,
         typer.Option(help="How long one answer may take; a method that takes longer has failed.", metavar="SECONDS"),
     ] = None,
-    threads: Annotated[int | None, typer.Option(min=1, help="Of numerical libraries. Default: all cores.")] = None,
+    threads: ThreadsOption = None,
     overwrite: Annotated[Overwrite, typer.Option(help="What becomes of stored runs.")] = "only-missing",
     metric: MetricOption = None,
     bootstrap: BootstrapOption = 0,
@@ -117,7 +115,7 @@ def run(
     try:
         # Stdout is for results: what a method prints is not one.
         with redirect_stdout(sys.stderr), progress_bars():
-            methods = _parameters(method, param or [])
+            methods = sort_parameters(method, param or [])
             for name, given in methods.items():
                 build_method(name, given, seed)  # so that a typing error costs no time
             for case, (name, given) in product(_load(dataset, protocol, edition, scoring), methods.items()):
@@ -149,29 +147,6 @@ def _draw(rows: list["Row"], stored: "StoredRun") -> None:
         say(f"warning: there is no picture: {error}")
 
 
-def _parameters(names: list[str], assignments: list[str]) -> dict[str, dict[str, str]]:
-    """Sort ``--param`` by method."""
-    from vpr_bench.method.build import method_parameters
-
-    if any(":" in name for name in names):
-        sys.path.append(str(Path.cwd()))  # a console script does not find modules in the current folder
-    parameters: dict[str, dict[str, str]] = {name: {} for name in names}
-    for assignment in assignments:
-        target, equals, value = assignment.partition("=")
-        if not equals or not target:
-            raise UsageError(f"A parameter is written name=value. Got {assignment!r} instead.")
-        owners = [name for name in parameters if target.startswith(f"{name}.")]
-        if owners:
-            parameters[owners[0]][target[len(owners[0]) + 1 :]] = value
-            continue
-        owner, dot, _ = target.rpartition(".")
-        if dot and not any(owner.partition(".")[0] in method_parameters(name) for name in parameters):
-            raise UsageError(f"{assignment!r} is for the method {owner!r}, which is not run. {closest(owner, names)}")
-        for name in parameters:
-            parameters[name][target] = value
-    return parameters
-
-
 def _load(datasets: list[str], protocols: list[str] | None, edition: str, scoring: "Scoring") -> list["Case"]:
     """Load every case, and say where the images come from."""
     from vpr_bench.dataset.card import expand_groups
@@ -185,7 +160,8 @@ def _load(datasets: list[str], protocols: list[str] | None, edition: str, scorin
             for radius in scoring.radii or []:
                 case.places.check(case.protocol.with_radius(radius))
             cases.append(case)
-        _say_where(cases[-1], name, edition)
+        said = cases[-1].protocol
+        say_where(said.dataset, said.edition, cases[-1].folder, chosen=edition != "auto" or ":" in name)
     return cases
 
 
@@ -201,19 +177,6 @@ def _pairings(name: str, protocols: list[str] | None, edition: str) -> list[str 
         raise UsageError(f"{name!r} names a protocol, but --protocol says all.")
     source = Source.find(request)
     return [f"{one.pairing}@{one.reach}" for one in source.card.listed_protocols()]
-
-
-def _say_where(case: "Case", name: str, edition: str) -> None:
-    from vpr_bench.dataset.folders import data_root
-
-    dataset = case.protocol.dataset
-    if case.protocol.edition == "simulated" and edition == "auto" and ":" not in name:
-        say(
-            f"{dataset}: SIMULATED images, rendered by vpr-bench, because the real ones are not under "
-            f"{data_root()}. Get them with `vpr-bench data fetch {dataset}`."
-        )
-    else:
-        say(f"{dataset}: {case.protocol.edition} images in {case.folder}")
 
 
 def _run_one(case: "Case", built: "BuiltMethod", store: "RunStore", options: "RunOptions") -> "StoredRun":

@@ -6,58 +6,70 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vpr_bench.cli.console import complain
+from vpr_bench.cli.console import complain, say
 from vpr_bench.cli.console import show as show_result
+from vpr_bench.cli.details import details
 from vpr_bench.cli.options import (
     RUNS,
     BootstrapOption,
-    Format,
     FormatOption,
     MetricOption,
     OutputOption,
+    PlotStepsOption,
     RadiusOption,
     UnmatchedOption,
     parse_radii,
 )
-from vpr_bench.cli.results import Scoring, check_metrics, print_rows
+from vpr_bench.cli.results import Scoring, check_metrics, print_rows, print_sweep
 from vpr_bench.errors import DataError, UsageError, VprBenchError, blaming
 
 if TYPE_CHECKING:
-    from rich.console import RenderableType
-
-    from vpr_bench.runner.record import RunRecord
+    from vpr_bench.report.rows import Row
     from vpr_bench.runner.store import StoredRun
 
 SHOW_EXAMPLES = """[bold]Examples[/bold]
 
 vpr-bench show
 
-vpr-bench show 3f2a
+vpr-bench show 3f2a --plot-stages lost.png
 
 vpr-bench show runs/gardens/day_left-night_right/hog/9bc4cf0169f3 --format json
 """
 SCORE_EXAMPLES = """[bold]Examples[/bold]
 
-vpr-bench score --radius 0,1,2,3,5,10
+vpr-bench score --radius 0..10 --metric recall@1 --metric pr_auc --metric pr_auc_matched --plot radius.png
 
 vpr-bench score 3f2a --metric pr_auc --metric recall@10 --bootstrap 2000
 """
+
+_DRAWN = ("recall@1", "pr_auc", "pr_auc_matched")
 
 RunArgument = Annotated[
     list[str] | None, typer.Argument(help="Run folder, or the first digits of its hash. Default: all runs.")
 ]
 
 
-def show(run: RunArgument = None, output: OutputOption = RUNS, form: FormatOption = "table") -> None:
+def show(
+    run: RunArgument = None,
+    plot_stages: PlotStepsOption = None,
+    output: OutputOption = RUNS,
+    form: FormatOption = "table",
+) -> None:
     """Show stored runs: a table of all, or everything about the named ones."""
+    from vpr_bench.report.losses import losses_grid
     from vpr_bench.report.rows import HEADLINE
 
+    _check_pictures(plot_stages)
     runs = _select(run, output)
-    scoring = Scoring(check_metrics(None, HEADLINE), None, None, 0)
-    failed = _print(runs, scoring, form)
+    rows, failed = _score(runs, Scoring(check_metrics(None, HEADLINE), None, None, 0))
+    print_rows(rows, form)
     if run and form == "table":
+        for row in rows:
+            if row.steps:
+                show_result(losses_grid(row).rich())
         for one in runs:
-            show_result(_details(one))
+            show_result(details(one))
+    _draw_stages(rows, plot_stages)
     raise typer.Exit(failed)
 
 
@@ -67,19 +79,59 @@ def score(
     radius: RadiusOption = None,
     unmatched: UnmatchedOption = None,
     bootstrap: BootstrapOption = 0,
+    plot: Annotated[
+        Path | None,
+        typer.Option(
+            help=f"Draw metrics against the radius: those of --metric, else {', '.join(_DRAWN)}.", metavar="FILE.png"
+        ),
+    ] = None,
+    plot_stages: PlotStepsOption = None,
     output: OutputOption = RUNS,
     form: FormatOption = "table",
 ) -> None:
-    """Compute metrics again from stored runs: other radii, other metrics, other policy. No method is asked."""
+    """Compute metrics again from stored runs: other radii, other metrics, other policy. No method is asked.
+
+    Several radii make tables of each metric against the radius.
+    """
     from vpr_bench.metrics.definitions import METRICS
 
-    scoring = Scoring(check_metrics(metric, list(METRICS)), parse_radii(radius), unmatched, bootstrap)
-    raise typer.Exit(_print(_select(run, output), scoring, form))
+    _check_pictures(plot, plot_stages)
+    radii = parse_radii(radius)
+    swept = radii is not None and len(radii) > 1
+    if plot is not None and not swept:
+        raise UsageError("--plot draws metrics against the radius: give several, such as --radius 0..10.")
+    drawn = check_metrics(metric, _DRAWN)
+    scoring = Scoring(check_metrics(metric, list(METRICS)), radii, unmatched, bootstrap)
+    rows, failed = _score(_select(run, output), scoring)
+    (print_sweep if swept else print_rows)(rows, form)
+    if plot is not None and rows:
+        from vpr_bench.report.radius_curve import draw_radius_curve
+
+        say(f"drawn: {draw_radius_curve(rows, drawn, plot)}")
+    _draw_stages(rows, plot_stages)
+    raise typer.Exit(failed)
 
 
-def _print(runs: list["StoredRun"], scoring: Scoring, form: Format) -> int:
-    """Print the rows of all runs that can be scored; return the exit code that the others deserve."""
-    rows, failed = [], 0
+def _check_pictures(*files: Path | None) -> None:
+    """Refuse a picture that cannot be drawn before anything is computed."""
+    from vpr_bench.report.figure import check_format
+
+    for file in files:
+        if file is not None:
+            check_format(file)
+
+
+def _draw_stages(rows: list["Row"], file: Path | None) -> None:
+    if file is not None and rows:
+        from vpr_bench.report.waterfall import draw_waterfall
+
+        say(f"drawn: {draw_waterfall(rows, file)}")
+
+
+def _score(runs: list["StoredRun"], scoring: Scoring) -> tuple[list["Row"], int]:
+    """Score all runs that can be; return their rows, and the exit code that the others deserve."""
+    rows: list[Row] = []
+    failed = 0
     for run in runs:
         try:
             with blaming(f"{run.folder} is damaged", DataError):
@@ -87,8 +139,7 @@ def _print(runs: list["StoredRun"], scoring: Scoring, form: Format) -> int:
         except VprBenchError as error:
             complain(str(error))
             failed = max(failed, error.exit_code)
-    print_rows(rows, form)
-    return failed
+    return rows, failed
 
 
 def _select(names: list[str] | None, output: Path) -> list["StoredRun"]:
@@ -113,39 +164,3 @@ def _select(names: list[str] | None, output: Path) -> list["StoredRun"]:
             raise UsageError(f"Under {output} {problem} {name!r}. `vpr-bench show` lists them.")
         selected.append(StoredRun.open(found[0].parent))
     return selected
-
-
-def _order(record: "RunRecord") -> str:
-    """Say in which order the queries were asked, and what the method knew of those to come."""
-    if record.order == "shuffled":
-        return "shuffled by the seed"
-    return f"in their order, {record.future} frames ahead" if record.future else "in their order"
-
-
-def _details(run: "StoredRun") -> "RenderableType":
-    from rich.table import Table
-    from rich.text import Text
-
-    record = run.record
-    facts = {
-        "folder": str(run.folder),
-        "method": f"{record.key.method}, version {record.key.version}",
-        **{f"  {name}": str(value) for name, value in record.key.parameters.items()},
-        "weights": record.key.weights or "none",
-        "dataset": record.key.dataset_digest,
-        "queries": _order(record),
-        "seed, k, limit": f"{record.key.seed}, {record.key.k}, {record.key.limit or 'none'}",
-        "fitting": f"{record.fit_seconds:.1f} s, {record.peak_memory['fit'] / 2**20:.0f} MiB at its peak",
-        "matching": f"{record.peak_memory['match'] / 2**20:.0f} MiB at its peak",
-        "continued": "yes, after an interruption" if record.resumed else "no",
-        "created": record.created,
-        "processor": f"{record.machine.processor}, {record.machine.cores} cores, {record.machine.threads} threads",
-        "system": f"{record.machine.system}, Python {record.machine.python}",
-        "libraries": ", ".join(f"{name} {version}" for name, version in record.machine.libraries.items()),
-    }
-    table = Table(show_header=False, box=None, pad_edge=False)
-    table.add_column(style="bold")
-    table.add_column(overflow="fold")
-    for name, value in facts.items():
-        table.add_row(name, Text(value))
-    return table

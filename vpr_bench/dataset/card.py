@@ -5,7 +5,7 @@ import tomllib
 from collections.abc import Iterable
 from dataclasses import replace
 from importlib.resources.abc import Traversable
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
@@ -147,8 +147,11 @@ class Card(_Frozen):
         if len(known) < len(self.traverses) or len(set(protocols)) < len(protocols):
             raise ValueError("two traverses or two protocols have the same name")
         pairs: list[ProtocolCard | Published | GivenCard] = [*self.protocols, *self.published, *self.given]
-        for name in [name for pair in pairs for name in (pair.references, pair.queries)]:
-            self._check_traverses(name)
+        try:
+            for name in [name for pair in pairs for name in (pair.references, pair.queries)]:
+                self.check_traverses(name)
+        except UsageError as error:
+            raise ValueError(str(error)) from None
         for one in self.protocols:
             if one.unit == "given" and self.given_options(one.references, one.queries) is None:
                 raise ValueError(f"{one.references}-{one.queries} is @given, but [[given]] does not list it")
@@ -159,11 +162,19 @@ class Card(_Frozen):
             self.in_edition(name)
         return self
 
-    def _check_traverses(self, name: str) -> None:
+    def check_traverses(self, name: str) -> None:
+        """Check that a name of references or queries is made of the card's traverses.
+
+        Raises
+        ------
+        UsageError
+            If it is not; the closest traverse is suggested.
+        """
         known = {traverse.name for traverse in self.traverses}
         for part in parse_parts(name):
             if part.traverse not in known:
-                raise ValueError(f"there is no traverse {part.traverse!r}. {closest(part.traverse, known)}")
+                near = closest(part.traverse, known)
+                raise UsageError(f"In {self.id} there is no traverse {part.traverse!r}. {near}")
 
     @classmethod
     def from_toml(cls, file: Traversable) -> "Card":
@@ -244,9 +255,9 @@ class Card(_Frozen):
         """Make a protocol of the card's traverses that it does not name, with the reach of its first one."""
         references, _, queries = pairing.partition("-")
         try:
-            self._check_traverses(references)
-            self._check_traverses(queries)
-        except (ValueError, UsageError):
+            self.check_traverses(references)
+            self.check_traverses(queries)
+        except UsageError:
             known = [one.pairing for one in self.listed_protocols()]
             raise UsageError(
                 f"The dataset {self.id!r} has no protocol {pairing!r}. {closest(pairing, known)}"
@@ -301,7 +312,13 @@ def as_card(loaded: Any) -> Card:
 
 
 def expand_groups(names: Iterable[str]) -> list[str]:
-    """Put the datasets of a group in place of its name, each once; all other names stay as they are."""
+    """Put the datasets of a group in place of its name, each once; all other names stay as they are.
+
+    Raises
+    ------
+    UsageError
+        If a name is neither of a dataset nor of a group nor a folder; the closest of both is suggested.
+    """
     expanded: list[str] = []
     for name in names:
         group, colon, edition = name.partition(":")
@@ -310,11 +327,16 @@ def expand_groups(names: Iterable[str]) -> list[str]:
     return list(dict.fromkeys(expanded))
 
 
-def _members(group: str) -> list[str]:
-    entries = [entry.name for entry in DATASETS.entries()]
-    if group in entries:
+def _members(name: str) -> list[str]:
+    """Return the datasets of a group; none if the name is one of a dataset, or of a folder."""
+    if name in DATASETS:
         return []
-    return [name for name, card in DATASETS.load_all(as_card).items() if group in card.groups]
+    cards = DATASETS.load_all(as_card)
+    members = [dataset for dataset, card in cards.items() if name in card.groups]
+    if not members and not Path(name).is_dir():
+        groups = {group for card in cards.values() for group in card.groups}
+        raise UsageError(f"There is no dataset and no group {name!r}. {closest(name, groups | cards.keys())}")
+    return members
 
 
 def find_card(dataset: str) -> Card:

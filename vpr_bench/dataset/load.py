@@ -123,8 +123,8 @@ def load_from(card: Card, protocol: Protocol, folder: Path, *, foreign: bool = F
     DataError
         If images are missing or damaged.
     """
-    references, reference_digest = _load_parts(card, protocol, protocol.references, folder, foreign)
-    queries, query_digest = _load_parts(card, protocol, protocol.queries, folder, foreign)
+    references, reference_digest = load_parts(card, protocol.source, protocol.references, folder, foreign=foreign)
+    queries, query_digest = load_parts(card, protocol.source, protocol.queries, folder, foreign=foreign)
     given = _load_given(card, protocol, folder)
     places = Places(queries.labels, references.labels, given)
     places.check(protocol)
@@ -150,14 +150,40 @@ def load_traverse(card: Card, one: TraverseCard, folder: Path) -> Recording:
         return layout.load(folder / one.path, one, **{**card.loader.options, **one.options})
 
 
-def _load_parts(card: Card, protocol: Protocol, name: str, folder: Path, foreign: bool) -> tuple[Recording, str]:
-    """Load what a protocol calls its references or queries: a traverse, a part of one, or several joined."""
+def load_parts(card: Card, source: str, name: str, folder: Path, *, foreign: bool) -> tuple[Recording, str]:
+    """Load what a protocol calls its references or queries: a traverse, a part of one, or several joined.
+
+    Parameters
+    ----------
+    card : Card
+        In its edition.
+    source : str
+        Dataset with its edition, as in a protocol's id.
+    name : str
+        Of traverses that the card has: ``summer.every10+winter.every10``.
+    folder : Path
+        Holds the traverses.
+    foreign : bool
+        As for :func:`load_from`.
+
+    Returns
+    -------
+    recording : Recording
+        What was asked for.
+    digest : str
+        ``sha256:…`` of the files of the traverses that it is taken from.
+
+    Raises
+    ------
+    DataError
+        If images are missing, or traverses cannot be joined.
+    """
     recordings, digests = [], []
     for part in parse_parts(name):
         one = card.traverse(part.traverse)
         recording = load_traverse(card, one, folder)
         digest = traverse_digest(recording.traverse)
-        _compare(one, digest, protocol.source, folder, foreign)
+        _compare(one, digest, source, folder, foreign)
         recordings.append(_part_of(recording, part))
         digests.append(digest)
     if len(recordings) == 1:

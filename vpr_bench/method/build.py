@@ -13,6 +13,7 @@ from vpr_bench.errors import DataError, UsageError, blaming, closest, one_line
 from vpr_bench.method.interfaces import Method, Weighted
 from vpr_bench.method.nested import build_inner, nested_parameters, take_apart
 from vpr_bench.method.presets import preset_parameters
+from vpr_bench.method.trust import check_trusted
 from vpr_bench.method.version import version_of
 from vpr_bench.registry import Entry, Registry
 
@@ -25,10 +26,12 @@ def find_method(name: str) -> tuple[Entry, str | None]:
     Raises
     ------
     UsageError
-        If there is no such method.
+        If there is no such method, or it may not be run here.
     """
     base, colon, preset = name.partition(":")
-    return (METHODS.entry(base), preset) if colon and base in METHODS else (METHODS.entry(name), None)
+    entry, chosen = (METHODS.entry(base), preset) if colon and base in METHODS else (METHODS.entry(name), None)
+    check_trusted(name, entry)
+    return entry, chosen
 
 
 @dataclass(frozen=True)

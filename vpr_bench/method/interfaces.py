@@ -1,12 +1,13 @@
 """What the harness asks of a method, and the optional capabilities it looks for."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Protocol, Self, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_bench.types.clusters import Clusters
 from vpr_bench.types.match import Match
 from vpr_bench.types.traverse import Traverse
 
@@ -24,7 +25,7 @@ class Method(Protocol):
         ...
 
     def match(self, image: NDArray[np.uint8], k: int) -> Match:
-        """Answer one (H, W, 3) uint8 RGB query with at most ``k`` references, best first."""
+        """Answer one (H, W, 3) uint8 RGB query with ``k`` references, best first; a smaller map with all of it."""
         ...
 
 
@@ -48,6 +49,38 @@ class Persistent(Protocol):
 
 
 @runtime_checkable
+class Extendable(Protocol):
+    """A method whose map can grow without being learnt anew."""
+
+    def extend(self, references: Traverse) -> None:
+        """Put references behind those that are there, whose indices stay; at least one.
+
+        Raises
+        ------
+        NotImplementedError
+            If it cannot grow after all, as by a wrapper around a method that is not extendable.
+        """
+        ...
+
+
+@runtime_checkable
+class Augmenting(Protocol):
+    """A method that learns from changed copies of the references."""
+
+    def augmented(self, image: NDArray[np.uint8], index: int) -> Mapping[str, NDArray[np.uint8]]:
+        """Return the copies of the ``index``-th reference that ``fit`` learns from, by what was done to them.
+
+        Parameters
+        ----------
+        image : (H, W, 3) uint8
+            RGB.
+        index : int
+            Of the reference, so that what is random is the same as in ``fit``.
+        """
+        ...
+
+
+@runtime_checkable
 class Weighted(Protocol):
     """A method that uses pre-trained weights."""
 
@@ -62,6 +95,51 @@ class Scoring(Protocol):
 
     def scores(self, image: NDArray[np.uint8]) -> NDArray[np.float32]:
         """Return the (N,) finite similarities of one (H, W, 3) uint8 RGB image to all references, higher is better."""
+        ...
+
+
+@runtime_checkable
+class Clustering(Protocol):
+    """A method that puts similar references into clusters."""
+
+    def cluster(self, references: Traverse) -> Clusters:
+        """Return the clusters that ``fit`` would make of the references; what is fitted stays as it is.
+
+        Raises
+        ------
+        ValueError
+            If there are none as the parameters ask for.
+        """
+        ...
+
+
+@runtime_checkable
+class DescribedClustering(Clustering, Protocol):
+    """A method whose clusters follow from one descriptor per reference.
+
+    ``cluster(references)`` is then ``cluster_described(describe_for_clusters(references))``: whoever tries many
+    parameters, or measures what came out, describes the references once.
+    """
+
+    def describe_for_clusters(self, references: Traverse) -> NDArray[np.float32]:
+        """Return the (n, D) descriptors that the references are clustered by."""
+        ...
+
+    def cluster_described(self, descriptors: NDArray[np.float32]) -> Clusters:
+        """Return the clusters of what :meth:`describe_for_clusters` returned."""
+        ...
+
+
+@runtime_checkable
+class Selective(Protocol):
+    """A method that may answer with fewer references than it was asked for, or with none.
+
+    From all others that is taken for a fault: what they leave out would quietly lower recall@k.
+    """
+
+    @property
+    def may_answer_fewer(self) -> str:
+        """Why, in a few words; empty if it does not after all. A class attribute will do."""
         ...
 
 

@@ -43,9 +43,16 @@ def latency(seconds: Mapping[str, NDArray[np.float64]]) -> dict[str, float]:
         stages[TOTAL] = np.asarray(seconds[TOTAL], dtype=np.float64)
     elif stages:
         stages[TOTAL] = np.sum(list(stages.values()), axis=0)
-    values = {}
+    values: dict[str, float] = {}
     for name, column in stages.items():
-        quantiles = np.percentile(column, PERCENTILES) if len(column) else [np.nan] * len(PERCENTILES)
-        for percentile, quantile in zip(PERCENTILES, quantiles, strict=True):
-            values[f"latency_{name}_p{percentile}"] = 1000 * float(quantile)
+        values |= percentiles(name, column)
     return values
+
+
+def percentiles(name: str, seconds: NDArray[np.float64]) -> dict[str, float]:
+    """Return ``latency_<name>_p50``, ``_p95`` and ``_p99`` of (n,) seconds, in milliseconds; NaN without any."""
+    quantiles = np.percentile(seconds, PERCENTILES) if len(seconds) else [np.nan] * len(PERCENTILES)
+    return {
+        f"latency_{name}_p{percentile}": 1000 * float(quantile)
+        for percentile, quantile in zip(PERCENTILES, quantiles, strict=True)
+    }

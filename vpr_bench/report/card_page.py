@@ -1,8 +1,9 @@
 """A dataset's page, in Markdown, written from its card."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from vpr_bench.dataset.card import Card, EditionCard, Overlay, Published
+from vpr_bench.report.grid import markdown_table
 
 _SIMULATED = """\
 Rendered by vpr-bench in the layout of the real images, the same on every machine. Its numbers say nothing about the \
@@ -21,7 +22,7 @@ def card_page(card: Card) -> str:
         "## Getting the images",
         *_getting(card),
         "## Traverses",
-        _table(
+        markdown_table(
             ("name", "images", "what"), [(f"`{one.name}`", _count(one.images), one.about) for one in card.traverses]
         ),
         "## Protocols",
@@ -43,7 +44,7 @@ def _facts(card: Card) -> str:
         ("homepage", f"<{card.homepage}>" if card.homepage.startswith("http") else card.homepage),
         ("places are measured in", {"f": "frames", "m": "metres", "pair": "pairs"}.get(card.unit, card.unit)),
     ]
-    return _table(("", ""), rows)
+    return markdown_table(("", ""), rows)
 
 
 def _getting(card: Card) -> list[str]:
@@ -69,13 +70,13 @@ def _edition(card: Card, name: str, edition: Overlay) -> list[str]:
         parts = [_SIMULATED]
     if edition.traverses is not None:
         rows = [(f"`{one.name}`", _count(one.images), one.about) for one in edition.traverses]
-        parts.append(_table(("name", "images", "what"), rows))
+        parts.append(markdown_table(("name", "images", "what"), rows))
     return [*parts, _protocols(card.in_edition(name), name)]
 
 
 def _protocols(card: Card, edition: str) -> str:
     listed = zip(card.listed_protocols(edition), card.protocols, strict=True)
-    return _table(("protocol", "what"), [(f"`{protocol}`", one.about) for protocol, one in listed])
+    return markdown_table(("protocol", "what"), [(f"`{protocol}`", one.about) for protocol, one in listed])
 
 
 def _published(card: Card) -> str:
@@ -83,7 +84,7 @@ def _published(card: Card) -> str:
         (f"`{_pairing(card, one)}`", one.method, f"`{one.metric}`", f"{one.value:g}", one.source)
         for one in card.published
     ]
-    return _table(("protocol", "method", "metric", "value", "source"), rows)
+    return markdown_table(("protocol", "method", "metric", "value", "source"), rows)
 
 
 def _pairing(card: Card, one: Published) -> str:
@@ -97,8 +98,3 @@ def _count(images: int | None) -> str:
 
 def _codes(names: Iterable[str]) -> str:
     return ", ".join(f"`{name}`" for name in names)
-
-
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    lines = [head, ["---"] * len(head), *rows]
-    return "\n".join("| " + " | ".join(cell.replace("|", "\\|") for cell in line) + " |" for line in lines)

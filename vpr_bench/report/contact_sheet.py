@@ -2,12 +2,10 @@
 
 from pathlib import Path
 
-from PIL import Image
-
 from vpr_bench.dataset.load import Case
 from vpr_bench.errors import DataError
 from vpr_bench.files.atomic import replacing
-from vpr_bench.report.ink import PAPER
+from vpr_bench.report.ink import stacked
 from vpr_bench.report.route_map import draw_plots
 from vpr_bench.report.sheet_band import GAP, draw_band
 from vpr_bench.report.sheet_columns import choose_columns
@@ -56,14 +54,5 @@ def draw_contact_sheet(case: Case, file: Path, count: int = 8, seed: int = 0) ->
         parts += [draw_band(case, columns[first : first + PER_BAND], first + 1, width)]
     parts.append(draw_plots(case, columns, inner))
     with replacing(file) as temporary:
-        _stack(parts).save(temporary, format="PNG")
+        stacked(parts, WIDTH, MARGIN, 2 * GAP).save(temporary, format="PNG")
     return file
-
-
-def _stack(parts: list[Image.Image]) -> Image.Image:
-    """Put pictures below each other."""
-    tops = [MARGIN + sum(part.height + 2 * GAP for part in parts[:number]) for number in range(len(parts) + 1)]
-    sheet = Image.new("RGB", (WIDTH, tops[-1] - 2 * GAP + MARGIN), PAPER)
-    for part, top in zip(parts, tops, strict=False):
-        sheet.paste(part, (MARGIN, top))
-    return sheet

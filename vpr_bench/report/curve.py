@@ -3,13 +3,11 @@
 from collections.abc import Sequence
 from pathlib import Path
 
-from vpr_bench.files.atomic import replacing
 from vpr_bench.metrics.answers import Answers
 from vpr_bench.metrics.precision_recall import pr_auc, precision_recall_curve
+from vpr_bench.report.figure import FORMATS, diagram
 from vpr_bench.report.rows import Row
 from vpr_bench.types.protocol import Protocol
-
-FORMATS = ("png", "svg")
 
 
 def draw_curve(rows: Sequence[Row], folder: Path) -> list[Path]:
@@ -32,14 +30,8 @@ def draw_curve(rows: Sequence[Row], folder: Path) -> list[Path]:
     DataError
         If they cannot be written.
     """
-    # The object interface: no global state, no window system.
-    from matplotlib import rc_context
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-
-    with rc_context({"svg.hashsalt": "vpr-bench", "font.size": 10}):
-        figure = Figure(figsize=(5.6, 4.6), layout="constrained")
-        FigureCanvasAgg(figure)
+    files = [folder / f"precision_recall.{kind}" for kind in FORMATS]
+    with diagram(5.6, 4.6, *files) as figure:
         axes = figure.add_subplot()
         for row in rows:
             truth = row.run.places.ground_truth(row.protocol)
@@ -56,11 +48,6 @@ def draw_curve(rows: Sequence[Row], folder: Path) -> list[Path]:
         axes.set_title(f"{rows[0].method}\n{where}", fontsize=10, loc="left")
         axes.grid(alpha=0.3)
         axes.legend(loc="best")
-        files = [folder / f"precision_recall.{kind}" for kind in FORMATS]
-        for file in files:
-            with replacing(file) as temporary:
-                metadata = {"Date": None} if file.suffix == ".svg" else None
-                figure.savefig(temporary, format=file.suffix[1:], dpi=150, metadata=metadata)
     return files
 
 

@@ -1,5 +1,6 @@
 """Pictures and words at an exact size: what a sheet of pictures is put together from."""
 
+from collections.abc import Sequence
 from functools import cache
 from math import ceil
 from pathlib import Path
@@ -70,3 +71,12 @@ def fitted(pixels: NDArray[np.uint8], box: tuple[int, int]) -> Image.Image:
     times = ceil(size[0] / picture.width)
     whole = picture.resize((picture.width * times, picture.height * times), Image.Resampling.NEAREST)
     return whole.resize(size, Image.Resampling.BOX)
+
+
+def stacked(parts: Sequence[Image.Image], width: int, margin: int, gap: int) -> Image.Image:
+    """Put pictures below each other on a sheet of paper, ``gap`` pixels apart."""
+    tops = [margin + sum(part.height + gap for part in parts[:number]) for number in range(len(parts) + 1)]
+    sheet = Image.new("RGB", (width, tops[-1] - gap + margin), PAPER)
+    for part, top in zip(parts, tops, strict=False):
+        sheet.paste(part, (margin, top))
+    return sheet

@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 
 from vpr_bench.dataset.load import Case
 from vpr_bench.report.ink import AMBER, BLUE, GREEN, GREY, INK, PAPER, cut, font
+from vpr_bench.report.plot import plot
 from vpr_bench.report.sheet_columns import Column
 from vpr_bench.types.ground_truth import GroundTruth
 
@@ -34,25 +35,15 @@ def draw_plots(case: Case, columns: Sequence[Column], width: int) -> "Image.Imag
     width : int
         Of the picture, in pixels.
     """
-    from matplotlib import rc_context
-    from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
-    from PIL import Image
-
     positions = _positions(case)
-    style: Any = {"font.size": 9, "font.family": "DejaVu Sans", "axes.linewidth": 0.8}
-    style |= {"axes.edgecolor": GREY, "axes.labelcolor": INK, "xtick.color": GREY, "ytick.color": GREY}
-    with rc_context(style):
-        figure = Figure(figsize=(width / 100, 4.8 if positions else 2.8), dpi=100, layout="constrained")
-        canvas: Any = FigureCanvasAgg(figure)
+    with plot(width, 480 if positions else 280) as drawn:
         if positions:
-            on_map, pairs = figure.subplots(1, 2, width_ratios=(3, 2))
+            on_map, pairs = drawn.figure.subplots(1, 2, width_ratios=(3, 2))
             _draw_map(on_map, *positions, case.ground_truth, columns)
         else:
-            pairs = figure.subplots()
+            pairs = drawn.figure.subplots()
         _draw_pairs(pairs, case, columns)
-        canvas.draw()
-        return Image.fromarray(np.asarray(canvas.buffer_rgba())).convert("RGB")
+    return drawn.picture()
 
 
 def _positions(case: Case) -> tuple[NDArray[np.float64], NDArray[np.float64]] | None:

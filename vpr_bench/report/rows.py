@@ -2,13 +2,14 @@
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from vpr_bench.metrics.answers import Answers
-from vpr_bench.metrics.bootstrap import bootstrap
+from vpr_bench.metrics.bootstrap import Interval, bootstrap
 from vpr_bench.metrics.definitions import evaluate
 from vpr_bench.metrics.latency import latency
+from vpr_bench.metrics.losses import Step, losses
 from vpr_bench.runner.store import StoredRun
 from vpr_bench.types.protocol import Protocol
 
@@ -36,6 +37,8 @@ class Row:
         Milliseconds per query, ``latency_<stage>_p50|p95|p99``.
     run : StoredRun
         Where it comes from.
+    steps : list of Step
+        Where the right place was lost; empty if the method noted no shortlists.
     """
 
     method: str
@@ -45,6 +48,7 @@ class Row:
     intervals: dict[str, tuple[float, float]]
     latency: dict[str, float]
     run: StoredRun
+    steps: list[Step] = field(default_factory=list)
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything JSON-able, NaN as None."""
@@ -52,11 +56,14 @@ class Row:
         return {
             "method": self.method,
             "protocol": str(self.protocol),
+            "radius": self.protocol.radius,
+            "unit": self.protocol.unit,
             "partial": self.partial,
             "n_references": record.n_references,
             "n_queries": record.n_queries,
             "metrics": {name: _or_none(value) for name, value in self.metrics.items()},
             "intervals": {name: [_or_none(low), _or_none(high)] for name, (low, high) in self.intervals.items()},
+            "steps": [_step(step) for step in self.steps],
             "latency_ms": {name: _or_none(value) for name, value in self.latency.items()},
             "fit_seconds": record.fit_seconds,
             "peak_memory_bytes": record.peak_memory,
@@ -66,6 +73,23 @@ class Row:
             "weights": record.key.weights,
             "folder": str(self.run.folder),
         }
+
+    def flat(self) -> dict[str, Any]:
+        """Return the same with one entry per number, for a table of many columns."""
+        content = self.as_dict()
+        metrics, intervals, times = content.pop("metrics"), content.pop("intervals"), content.pop("latency_ms")
+        memory, steps = content.pop("peak_memory_bytes"), content.pop("steps")
+        content |= metrics
+        content |= {f"{name}_low": low for name, (low, _) in intervals.items()}
+        content |= {f"{name}_high": high for name, (_, high) in intervals.items()}
+        for step in steps:
+            name = step["step"].replace(" ", "_")
+            content[f"left_after_{name}"] = step["left"]
+            for part, column in (("recall", f"recall_after_{name}"), ("lost", f"lost_by_{name}")):
+                content[column] = step[part]
+                if bounds := step.get(f"{part}_interval"):
+                    content[f"{column}_low"], content[f"{column}_high"] = bounds
+        return {**content, **times, **{f"peak_memory_{phase}_bytes": size for phase, size in memory.items()}}
 
 
 def score_run(
@@ -101,7 +125,23 @@ def score_run(
         found = bootstrap(answers, metrics, resamples)
         intervals = {name: (interval.low, interval.high) for name, interval in found.items()}
     record = run.record
-    return Row(record.label, protocol, record.partial, values, intervals, latency(run.seconds), run)
+    steps = losses(run.survivors, run.indices, run.scores, truth, protocol.unmatched, resamples)
+    return Row(record.label, protocol, record.partial, values, intervals, latency(run.seconds), run, steps)
+
+
+def _step(step: Step) -> dict[str, Any]:
+    content = {
+        "step": step.name,
+        "left": _or_none(step.left),
+        "recall": _or_none(step.recall.value),
+        "lost": _or_none(step.lost.value),
+    }
+    intervals = {"recall_interval": step.recall, "lost_interval": step.lost}
+    return content | {name: _bounds(interval) for name, interval in intervals.items() if not math.isnan(interval.low)}
+
+
+def _bounds(interval: Interval) -> list[float | None]:
+    return [_or_none(interval.low), _or_none(interval.high)]
 
 
 def _or_none(value: float) -> float | None:

@@ -12,6 +12,8 @@ from rich.table import Table
 from rich.text import Text
 
 from vpr_bench.dataset.card import Card, Published
+from vpr_bench.report.losses import losses_line
+from vpr_bench.report.numbers import bounds, share
 from vpr_bench.report.rows import Row
 from vpr_bench.types.protocol import Protocol
 
@@ -101,6 +103,7 @@ def _table(
         notes.append("–: undefined here, or needs more answers per query than were kept (--k)")
     if any(row.intervals for row in rows):
         notes.append("below a value: its 95 % bootstrap interval over queries")
+    notes += [losses_line(row) for row in rows if stages and row.steps]
     notes += [f"[{number}] {source}" for number, source in enumerate(sources, 1)]
     # Not the table's caption, which would be as narrow as the table.
     return Group(table, Text("\n".join([*notes, ""]), style="italic dim"))
@@ -126,17 +129,8 @@ def _broken(metric: str) -> str:
 
 
 def _value(row: Row, metric: str) -> str:
-    value = row.metrics[metric]
-    if math.isnan(value):
-        return "–"
-    if metric not in row.intervals or any(map(math.isnan, row.intervals[metric])):
-        return f"{value:.3f}"
-    low, high = row.intervals[metric]
-    return f"{value:.3f}\n{_short(low)}–{_short(high)}"
-
-
-def _short(value: float) -> str:
-    return f"{value:.2f}".removeprefix("0")
+    interval = bounds(*row.intervals[metric]) if metric in row.intervals else ""
+    return f"{share(row.metrics[metric])}\n{interval}".rstrip()
 
 
 def _percentiles(row: Row, stage: str) -> str:
@@ -156,15 +150,7 @@ def to_json(rows: Iterable[Row]) -> str:
 
 def to_csv(rows: Sequence[Row]) -> str:
     """Write rows as CSV with one column per number; undefined ones are empty."""
-    flat = []
-    for row in rows:
-        content = row.as_dict()
-        metrics, intervals, times = content.pop("metrics"), content.pop("intervals"), content.pop("latency_ms")
-        memory = content.pop("peak_memory_bytes")
-        bounds = {f"{name}_low": low for name, (low, _) in intervals.items()}
-        bounds |= {f"{name}_high": high for name, (_, high) in intervals.items()}
-        peaks = {f"peak_memory_{phase}_bytes": size for phase, size in memory.items()}
-        flat.append({**content, **metrics, **bounds, **times, **peaks})
+    flat = [row.flat() for row in rows]
     columns = list(dict.fromkeys(name for line in flat for name in line))
     text = io.StringIO()
     writer = csv.DictWriter(text, columns, lineterminator="\n")

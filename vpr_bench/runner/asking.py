@@ -14,10 +14,13 @@ from numpy.typing import NDArray
 from vpr_bench.dataset.load import Case
 from vpr_bench.errors import VprBenchError, blaming
 from vpr_bench.method.build import BuiltMethod
+from vpr_bench.method.faults import fault_in, shortfall_in
 from vpr_bench.method.interfaces import Foresighted, Method, frames_ahead, is_sequential
 from vpr_bench.runner.answers import AnswerTable
 from vpr_bench.runner.record import RunKey
+from vpr_bench.runner.shortlists import checked
 from vpr_bench.runner.worker import Worker
+from vpr_bench.shortlist import Shortlists, collect_shortlists
 from vpr_bench.timing import collect_stages
 from vpr_bench.types.match import Match
 
@@ -78,7 +81,7 @@ class Questioner:
             yield
 
     def ask(self, query: int) -> None:
-        """Ask one query, and note the answer and how long it took.
+        """Ask one query, and note the answer, how long it took, and what was in the running on the way.
 
         Raises
         ------
@@ -92,11 +95,13 @@ class Questioner:
         decoded = time.perf_counter() - start
         doing = f"The method {self.built.id!r} failed while answering {self.case.queries.name_of(query)}"
         with blaming(doing):
-            match, seconds = self._in_time(partial(_timed, self.method, ahead, image, self.table.k))
-        self._check(match, query)
+            match, seconds, noted = self._in_time(partial(_timed, self.method, ahead, image, self.table.k))
+        self._refuse(fault_in(match, len(self.case.references), self.table.k), query)
         with blaming(doing):
             match = Match(match.indices, match.scores)  # again: arrays can be written to after they were checked
-        self.table.add(query, match, {**seconds, "decode": decoded})
+            shortlists = checked(noted, match, len(self.case.references))
+        self._refuse(shortfall_in(match, self.method, len(self.case.references), self.table.k), query)
+        self.table.add(query, match, {**seconds, "decode": decoded}, shortlists)
 
     def _warm_up(self) -> None:
         # A reference, not a query: a method that adapts to what it is shown must not see one twice.
@@ -119,27 +124,20 @@ class Questioner:
             return function()
         return self._worker.call(function, self.timeout * patience)
 
-    def _check(self, match: Match, query: int) -> None:
-        """Refuse an answer that is none; :class:`Match` has checked the rest."""
-        fault = None
-        if not isinstance(match, Match):
-            fault = f"a {type(match).__name__} instead of a Match"
-        elif len(match) > self.table.k:
-            fault = f"{len(match)} references where {self.table.k} were asked for"
-        elif match.indices.max(initial=-1) >= len(self.case.references):
-            fault = f"reference {match.indices.max()} of a map of {len(self.case.references)}"
+    def _refuse(self, fault: str, query: int) -> None:
         if fault:
             raise VprBenchError(
                 f"The method {self.built.id!r} answered {self.case.queries.name_of(query)} with {fault}."
             )
 
 
-def _timed(method: Method, ahead: list[Image], image: Image, k: int) -> tuple[Match, dict[str, float]]:
-    """Show a method what lies ahead and ask it; return the answer and the seconds of its stages and in total."""
+def _timed(method: Method, ahead: list[Image], image: Image, k: int) -> tuple[Match, dict[str, float], Shortlists]:
+    """Show a method what lies ahead and ask it; return the answer, the seconds of its stages, and its shortlists."""
     start = time.perf_counter()
     with collect_stages() as seconds:
         if isinstance(method, Foresighted):
             for frame in ahead:
                 method.foresee(frame)
-        match = method.match(image, k)
-    return match, {**seconds, "total": time.perf_counter() - start}
+        with collect_shortlists() as shortlists:
+            match = method.match(image, k)
+    return match, {**seconds, "total": time.perf_counter() - start}, shortlists

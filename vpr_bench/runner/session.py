@@ -7,30 +7,31 @@ import warnings
 from datetime import UTC, datetime
 from pathlib import Path
 
+from vpr_bench.checkpoint import checkpoints
 from vpr_bench.dataset.load import Case
-from vpr_bench.errors import DataError, blaming, one_line
+from vpr_bench.errors import DataError, blaming
 from vpr_bench.files.atomic import write_arrays, write_bytes
 from vpr_bench.files.digest import sha256_of_file
-from vpr_bench.files.disk import DiskError
 from vpr_bench.method.build import BuiltMethod
 from vpr_bench.method.interfaces import Method, Persistent, frames_ahead, is_sequential
+from vpr_bench.method.saving import save_fitted
 from vpr_bench.progress import track
 from vpr_bench.runner.answers import AnswerTable
 from vpr_bench.runner.asking import Questioner, query_order
 from vpr_bench.runner.machine import describe_machine
 from vpr_bench.runner.record import RunKey, RunRecord
 from vpr_bench.runner.resources import PeakMemory, limit_threads
-from vpr_bench.runner.store import LABELS, MATCHES, RECORD, TIMINGS, StoreWarning
+from vpr_bench.runner.store import LABELS, MATCHES, RECORD, SHORTLISTS, TIMINGS, StoreWarning
 
 _CHECKPOINT_SECONDS = 10.0
-_FIT, _FITTED, _ANSWERS = "fit", "fit.json", "answers.npz"
+_FITTING, _FIT, _FITTED, _ANSWERS = "fitting", "fit", "fit.json", "answers.npz"
 
 
 def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path, timeout: float | None = None) -> None:
     """Do a run, or the rest of it, in the folder ``work``: what is complete in the end is moved away by the caller.
 
     A sequential method that was interrupted is asked from the first query again: what it knew of the ones before
-    is gone. What it had learnt of the map is not.
+    is gone. What it had learnt of the map is not, nor the steps of a fit that it keeps by :func:`kept`.
 
     Raises
     ------
@@ -42,7 +43,7 @@ def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path, timeout: fl
     work.mkdir(exist_ok=True)
     sequential = is_sequential(built.method)
     table = AnswerTable(key.k) if sequential else _resume(work / _ANSWERS, key.k)
-    resumed = bool(table.matches) or (work / _FITTED).exists()
+    resumed = bool(table.matches) or (work / _FITTED).exists() or (work / _FITTING).exists()
     with limit_threads(key.threads):
         method, fit_seconds, fit_peak = _fitted(case, built, work)
     with limit_threads(key.threads), PeakMemory() as memory:  # again: fitting may have loaded further libraries
@@ -50,9 +51,11 @@ def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path, timeout: fl
         open_queries = [query for query in order if query not in table.matches]
         if open_queries:
             _ask(Questioner(case, built, method, table, timeout), key, open_queries, work / _ANSWERS)
-    write_arrays(work / MATCHES, table.match_arrays())
-    write_arrays(work / TIMINGS, table.timing_arrays())
-    write_arrays(work / LABELS, case.places.arrays())
+    contents = {MATCHES: table.match_arrays(), TIMINGS: table.timing_arrays(), LABELS: case.places.arrays()}
+    if shortlists := table.shortlist_arrays():
+        contents[SHORTLISTS] = shortlists
+    for name, arrays in contents.items():
+        write_arrays(work / name, arrays)
     record = RunRecord(
         key=key,
         protocol=str(case.protocol),
@@ -68,12 +71,13 @@ def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path, timeout: fl
         peak_memory={"fit": fit_peak, "match": memory.bytes},
         machine=describe_machine(key.threads),
         created=datetime.now(UTC).isoformat(timespec="seconds"),
-        files={name: sha256_of_file(work / name) for name in (MATCHES, TIMINGS, LABELS)},
+        files={name: sha256_of_file(work / name) for name in contents},
     )
     write_bytes(work / RECORD, record.model_dump_json(indent=2).encode())
     (work / _ANSWERS).unlink(missing_ok=True)
     (work / _FITTED).unlink(missing_ok=True)
-    shutil.rmtree(work / _FIT, ignore_errors=True)
+    for folder in (_FIT, _FITTING):
+        shutil.rmtree(work / folder, ignore_errors=True)
 
 
 def _resume(path: Path, k: int) -> AnswerTable:
@@ -97,22 +101,13 @@ def _fitted(case: Case, built: BuiltMethod, work: Path) -> tuple[Method, float, 
         except DataError as error:
             warnings.warn(f"{error} The method is fitted again.", StoreWarning, stacklevel=2)
     start = time.perf_counter()
-    with PeakMemory() as memory, blaming(f"The method {built.id!r} failed while fitting"):
+    failing = f"The method {built.id!r} failed while fitting"
+    with PeakMemory() as memory, checkpoints(work / _FITTING), blaming(failing):
         method.fit(case.references)
     seconds = time.perf_counter() - start
-    if isinstance(method, Persistent):
-        shutil.rmtree(folder, ignore_errors=True)
-        folder.mkdir()
-        with blaming(f"The method {built.id!r} failed while saving its map to {folder}"):
-            try:
-                method.save(folder)
-            except NotImplementedError:  # a wrapper around a method that is not persistent
-                return method, seconds, memory.bytes
-            except OSError as error:  # NumPy's has no errno when the disk is full
-                raise DiskError(
-                    f"Cannot write {folder}: {one_line(error)}. Free some space, or choose another --output."
-                ) from error
+    if save_fitted(method, folder, built.id):
         write_bytes(note, json.dumps({"seconds": seconds, "peak": memory.bytes}).encode())
+        shutil.rmtree(work / _FITTING, ignore_errors=True)
     return method, seconds, memory.bytes
 
 

@@ -2,7 +2,6 @@
 
 import itertools
 import re
-import shutil
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -18,12 +17,16 @@ from vpr_bench.errors import DamagedError, DataError, blaming
 from vpr_bench.files.atomic import read_arrays
 from vpr_bench.files.digest import sha256_of_file
 from vpr_bench.files.lock import held
+from vpr_bench.files.swap import recover, swap_in
 from vpr_bench.runner.answers import SECONDS
 from vpr_bench.runner.record import RunKey, RunRecord, read_record
 from vpr_bench.types.places import Places
 from vpr_bench.types.protocol import Protocol
+from vpr_bench.types.survivors import Survivors, from_arrays
 
 RECORD, MATCHES, TIMINGS, LABELS = "run.json", "matches.npz", "timings.npz", "labels.npz"
+SHORTLISTS = "shortlists.npz"
+"""Only there if the method noted any."""
 
 
 class StoreWarning(UserWarning):
@@ -37,7 +40,7 @@ class StoredRun:
     Attributes
     ----------
     folder : Path
-        Holds ``run.json``, ``matches.npz``, ``timings.npz`` and ``labels.npz``.
+        Holds ``run.json``, ``matches.npz``, ``timings.npz`` and ``labels.npz``, perhaps ``shortlists.npz``.
     record : RunRecord
         What it is.
     """
@@ -108,6 +111,21 @@ class StoredRun:
         columns = read_arrays(self.folder / TIMINGS, SECONDS + "total")
         return {name.removeprefix(SECONDS): column for name, column in columns.items()}
 
+    @cached_property
+    def survivors(self) -> list[Survivors]:
+        """What each step that the method noted left in the running, first step first; empty if it noted none.
+
+        Raises
+        ------
+        DataError
+            If they cannot be read.
+        """
+        if SHORTLISTS not in self.record.files:
+            return []
+        path = self.folder / SHORTLISTS
+        with blaming(f"{path} is damaged", DataError):
+            return from_arrays(read_arrays(path), len(self.queries), self.record.n_references)
+
 
 @dataclass(frozen=True)
 class RunStore:
@@ -153,17 +171,13 @@ class RunStore:
         """
         folder = self.folder(key)
         with held(folder.with_name(folder.name + ".lock"), "Waiting for another process that does the same run"):
-            self._recover(folder)
+            recover(folder)
             yield folder.with_name(folder.name + ".partial")
 
     def complete(self, key: RunKey) -> StoredRun:
         """Move the finished working folder into place, over an older run of the same key."""
         folder = self.folder(key)
-        former = folder.with_name(folder.name + ".former")
-        if folder.exists():
-            folder.replace(former)
-        folder.with_name(folder.name + ".partial").replace(folder)
-        shutil.rmtree(former, ignore_errors=True)
+        swap_in(folder.with_name(folder.name + ".partial"), folder)
         return StoredRun.open(folder)
 
     def put_aside(self, key: RunKey) -> Path:
@@ -171,16 +185,6 @@ class RunStore:
         folder = self.folder(key)
         names = (folder.with_name(f"{folder.name}.damaged{number or ''}") for number in itertools.count())
         return folder.replace(next(aside for aside in names if not aside.exists()))
-
-    @staticmethod
-    def _recover(folder: Path) -> None:
-        """Undo what :meth:`complete` had begun when its process was killed between its two renames."""
-        former = folder.with_name(folder.name + ".former")
-        if former.exists():
-            if folder.exists():
-                shutil.rmtree(former)
-            else:
-                former.replace(folder)
 
 
 def _file_name(name: str) -> str:

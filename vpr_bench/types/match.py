@@ -13,7 +13,7 @@ class Match:
     Parameters
     ----------
     indices : (k,) integers
-        Reference indices, unique and not negative. A method may answer fewer than it was asked for, or none.
+        Reference indices, unique and not negative; none is an answer too.
     scores : (k,) floats
         Finite and non-increasing.
 
@@ -80,8 +80,11 @@ class Match:
         array([1, 2])
         """
         values = np.asarray(scores, dtype=np.float32)
-        if k < 1 or np.isnan(values).any():
-            raise ValueError(f"k must be at least 1 and the scores must be numbers. Got k={k} and {values}.")
+        if k < 1:
+            raise ValueError(f"k must be at least 1. Got {k}.")
+        unknown = np.flatnonzero(np.isnan(values))
+        if len(unknown):
+            raise ValueError(f"the scores must be numbers. Got NaN for {len(unknown)} of {len(values)}.")
         best = _best(values, k)
         names = best if candidates is None else np.asarray(candidates)[best]
         return cls(names, values[best])

@@ -4,13 +4,14 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, partial
 from itertools import pairwise
-from typing import Literal
+from typing import Literal, cast
 
 import torch
 from torch import nn
 from torch.nn.utils.fusion import fuse_conv_bn_eval
 
 from vpr_baselines.backbones import alexnet, efficientnet_lite0, resnet18
+from vpr_baselines.backbones.layers import Layered
 from vpr_bench.weights.choice import choose_weights
 from vpr_bench.weights.fit import fit_checkpoint
 
@@ -47,6 +48,20 @@ class Architecture:
     middle: str
     mean: Channels
     std: Channels
+
+    def cut_at(self, last: str) -> tuple[str, str]:
+        """Return the middle and the last layer of the network cut short; the same one if it is cut before the middle.
+
+        Raises
+        ------
+        ValueError
+            If there is no such layer.
+        """
+        with torch.device("meta"):  # no weights are made
+            names = [name for name, _ in cast(Layered, self.build()).layers()]
+        if last not in names:
+            raise ValueError(f"{self.name} has the layers {', '.join(names)}. Got {last!r} instead.")
+        return min(self.middle, last, key=names.index), last
 
 
 _LITE0_MEAN, _LITE0_STD = efficientnet_lite0.MEAN, efficientnet_lite0.STD

@@ -54,7 +54,7 @@ class Trunk:
             Of a convolution the feature map, (1, C, h, w).
         """
         with torch.inference_mode():
-            return [one.numpy() for one in respond(cast(Layered, self.network), self._input(image), self.layers)]
+            return [one.numpy() for one in respond(cast(Layered, self.network), self.input(image), self.layers)]
 
     def encode(self, images: Sequence[NDArray[np.uint8]]) -> NDArray[np.float32]:
         """Compute the response of the only layer to (H, W, 3) uint8 RGB images of any size.
@@ -68,7 +68,7 @@ class Trunk:
         """
         return np.concatenate([response for image in images for response in self.respond(image)])
 
-    def _input(self, image: NDArray[np.uint8]) -> Tensor:
+    def input(self, image: NDArray[np.uint8]) -> Tensor:
         """Turn an image into what the network takes: (1, 3, height, width) float32."""
         mean, std = self._scale
         channels = (torch.from_numpy(self._prepare(image)).float().div_(255) - mean) / std

@@ -1,4 +1,4 @@
-"""The five augmentations that enlarge the training set (thesis, ch. 4.3)."""
+"""The five augmentations that enlarge the training set (thesis, ch. 4.5)."""
 
 from collections.abc import Callable
 
@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 
 Image = NDArray[np.uint8]
 
+# The thesis names the five and none of their parameters. Rotations of up to 20 degrees are said to keep what a picture
+# shows recognisable; half of that is a camera that is held badly.
 _NOISE_DEVIATION = 20.0  # grey levels
 _BLUR_SIGMA = 0.006  # of the image's width
 _ERASED = (0.2, 0.45)  # of each side
@@ -49,17 +51,42 @@ def rotate(image: Image, random: np.random.Generator) -> Image:
     return np.asarray(cv2.warpAffine(image, turn, (width, height), borderMode=cv2.BORDER_REFLECT_101))
 
 
-AUGMENTATIONS: tuple[Callable[[Image, np.random.Generator], Image], ...] = (
-    gaussian_noise,
-    blur,
-    equalise,
-    erase,
-    rotate,
-)
-"""Each turns an (H, W, 3) uint8 RGB image into another of the same shape; the argument is left as it is."""
+AUGMENTATIONS: dict[str, Callable[[Image, np.random.Generator], Image]] = {
+    "Gaussian noise": gaussian_noise,
+    "blur": blur,
+    "histogram equalisation": equalise,
+    "random erasing": erase,
+    "random rotation": rotate,
+}
+"""By name: each turns an (H, W, 3) uint8 RGB image into another of the same shape and leaves its argument as it is."""
+
+VARIANTS = 1 + len(AUGMENTATIONS)
+"""How many images a reference is trained with: itself and its augmentations."""
+
+
+def augmented_by_name(image: Image, seed: int, index: int) -> dict[str, Image]:
+    """Return the five variants of reference ``index``, the same ones for the same seed whatever came before.
+
+    Parameters
+    ----------
+    image : (H, W, 3) uint8
+        RGB. Noise has a deviation of 20 grey levels, blur one of 0.6 % of the width (at least half a pixel); the
+        histogram that is equalised is the luminance's; a rectangle of 20 to 45 % of each side is replaced by uniform
+        noise; a rotation is by up to 10 degrees either way, with the image mirrored at its edges.
+    seed, index : int
+        Each variant is drawn from these and its own place in the list, so that one can be had without the others.
+    """
+    return {name: variant_of(image, seed, index, number) for number, name in enumerate(AUGMENTATIONS, 1)}
 
 
 def augmented(image: Image, seed: int, index: int) -> list[Image]:
-    """Return the five variants of reference ``index``, the same ones for the same seed whatever came before."""
-    random = np.random.default_rng([seed, index])
-    return [augment(image, random) for augment in AUGMENTATIONS]
+    """Return the variants of :func:`augmented_by_name` without their names."""
+    return list(augmented_by_name(image, seed, index).values())
+
+
+def variant_of(image: Image, seed: int, index: int, number: int) -> Image:
+    """Return one variant: 0 is the image itself, then the augmentations in their order."""
+    if number == 0:
+        return image
+    augment = list(AUGMENTATIONS.values())[number - 1]
+    return augment(image, np.random.default_rng([seed, index, number]))

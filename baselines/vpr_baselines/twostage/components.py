@@ -1,31 +1,95 @@
 """Stage two: one component per cluster, all in one matrix, so that a component is a slice of it."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_baselines.twostage.clusters import Clusters
-from vpr_baselines.twostage.heads import LinearHead, train_head
-from vpr_bench.progress import track
+from vpr_baselines.twostage.heads import LinearHead
+from vpr_bench.types.clusters import Clusters
+
+
+@dataclass(frozen=True, eq=False)
+class Answers:
+    """What triggered components name, component by component, each with its best first.
+
+    Attributes
+    ----------
+    references : (m,) int64
+        Unique.
+    components : (m,) int64
+        Which component named each.
+    logits : (m,) float32
+        Not comparable between components, which were trained apart.
+    probabilities : (m,) float32
+        In [0, 1]; those of one component's whole cluster sum to 1.
+    """
+
+    references: NDArray[np.int64]
+    components: NDArray[np.int64]
+    logits: NDArray[np.float32]
+    probabilities: NDArray[np.float32]
+
+    @classmethod
+    def best(cls, component: int, members: NDArray[np.int64], logits: NDArray[np.float32], count: int) -> "Answers":
+        """Take the ``count`` best of one component's (m,) members by their (m,) logits, or all if there are fewer."""
+        chosen = np.argsort(-logits, kind="stable")[:count]
+        exponentials = np.exp(logits - logits.max())
+        probabilities = exponentials / exponentials.sum()
+        return cls(members[chosen], np.full(len(chosen), component), logits[chosen], probabilities[chosen])
+
+    @classmethod
+    def join(cls, parts: Sequence["Answers"]) -> "Answers":
+        """Put the answers of several components one behind the other; of none, there are none."""
+        if not parts:
+            none = np.empty(0, np.float32)
+            return cls(none.astype(np.int64), none.astype(np.int64), none, none)
+        return cls(
+            np.concatenate([one.references for one in parts]),
+            np.concatenate([one.components for one in parts]),
+            np.concatenate([one.logits for one in parts]),
+            np.concatenate([one.probabilities for one in parts]),
+        )
 
 
 @dataclass(frozen=True, eq=False)
 class Components:
-    """The classifiers image → reference within the cluster, stacked in the order of the references.
+    """The classifiers image → reference within the cluster.
 
     Attributes
     ----------
     clusters : Clusters
-        The index: which rows belong to which component.
+        The index: which references belong to which component.
     head : LinearHead
-        One row per reference.
+        One row per reference, cluster by cluster and in each ascending: the order of :attr:`references`. The weight
+        may be memory-mapped and of half precision; only the rows of triggered components are read.
     """
 
     clusters: Clusters
     head: LinearHead
 
-    def answer(self, descriptor: NDArray[np.float32], triggered: NDArray[np.int64], best: int) -> NDArray[np.int64]:
+    @cached_property
+    def references(self) -> NDArray[np.int64]:
+        """(n,) int64: the reference that each row stands for."""
+        return np.argsort(self.clusters.labels, kind="stable")
+
+    @cached_property
+    def bounds(self) -> NDArray[np.int64]:
+        """(C + 1,) int64: the rows of component ``c`` are ``bounds[c]`` to ``bounds[c + 1]``, exclusive."""
+        return np.concatenate([[0], np.cumsum(self.clusters.sizes)])
+
+    def members(self, component: int) -> NDArray[np.int64]:
+        """Return the references of one component, (m,) int64 ascending."""
+        return self.references[self._rows(component)]
+
+    def part(self, component: int) -> LinearHead:
+        """Return the layer of one component: (m, D) float32, in the order of its members."""
+        rows = self._rows(component)
+        return LinearHead(np.asarray(self.head.weight[rows], np.float32), np.asarray(self.head.bias[rows], np.float32))
+
+    def answers(self, descriptor: NDArray[np.float32], triggered: NDArray[np.int64], best: int) -> Answers:
         """Let each triggered component name its ``best`` references.
 
         Parameters
@@ -36,41 +100,13 @@ class Components:
             Clusters, without repetition.
         best : int
             Answers per component; a smaller cluster gives all it has.
-
-        Returns
-        -------
-        (m,) int64
-            Reference numbers, unique, component by component.
         """
-        answers = []
-        for cluster in triggered:
-            stretch = self.clusters.stretch(int(cluster))
-            logits = self.head.weight[stretch] @ descriptor + self.head.bias[stretch]
-            answers.append(np.argsort(-logits, kind="stable")[:best] + stretch.start)
-        return np.concatenate(answers)
+        return Answers.join(
+            [
+                Answers.best(one, self.members(one), self.part(one).logits(descriptor), best)
+                for one in triggered.tolist()
+            ]
+        )
 
-
-def train_components(
-    clusters: Clusters, descriptors: NDArray[np.float32], references: NDArray[np.int64], penalty: float
-) -> Components:
-    """Train every component on the images of its own cluster.
-
-    Parameters
-    ----------
-    clusters : Clusters
-        Of the reference sequence.
-    descriptors : (n, D) float32
-        Of the references and their augmentations, unit length.
-    references : (n,) int64
-        Which reference each descriptor belongs to.
-    penalty : float
-        See :func:`~vpr_baselines.twostage.heads.train_head`.
-    """
-    heads = []
-    for cluster in track(range(len(clusters)), "Training components"):
-        stretch = clusters.stretch(cluster)
-        inside = (references >= stretch.start) & (references < stretch.stop)
-        size = stretch.stop - stretch.start
-        heads.append(train_head(descriptors[inside], references[inside] - stretch.start, size, penalty))
-    weight = np.concatenate([head.weight for head in heads])
-    return Components(clusters, LinearHead(weight, np.concatenate([head.bias for head in heads])))
+    def _rows(self, component: int) -> slice:
+        return slice(int(self.bounds[component]), int(self.bounds[component + 1]))

@@ -1,97 +1,185 @@
-"""The two-stage system of the thesis (ch. 4), with one trunk shared by all its parts."""
+"""The two-stage system of the thesis (ch. 4), and past it: one trunk shared by all parts, spatial re-ranking."""
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
-from safetensors.numpy import load_file, save_file
 
-from vpr_baselines.backbones.architectures import Backbone
-from vpr_baselines.backbones.pooling import gem
-from vpr_baselines.backbones.trunk import Trunk, load_trunk
-from vpr_baselines.hog import Hog
-from vpr_baselines.photometry import resized
-from vpr_baselines.retrieval import normalised
-from vpr_baselines.twostage.augment import augmented
-from vpr_baselines.twostage.clusters import Clusters, by_count, by_similarity
-from vpr_baselines.twostage.components import Components, train_components
-from vpr_baselines.twostage.heads import LinearHead, train_head
-from vpr_bench.progress import track
+from vpr_baselines.backbones.architectures import ARCHITECTURES, Backbone
+from vpr_baselines.backbones.pooling import Pooling
+from vpr_baselines.backbones.trunk import Normalise, load_trunk
+from vpr_baselines.clustering.closeness import Distance
+from vpr_baselines.clustering.cluster import cluster_descriptors
+from vpr_baselines.clustering.describers import ClusterBy, describe_references
+from vpr_baselines.clustering.options import ClusteringOptions, Kind
+from vpr_baselines.twostage.augment import augmented_by_name
+from vpr_baselines.twostage.encoder import Encoder, Look
+from vpr_baselines.twostage.fitting import extend_shared, fit_separate, fit_shared
+from vpr_baselines.twostage.reranking import Rerank
+from vpr_baselines.twostage.separate.body import Body, load_body
+from vpr_baselines.twostage.separate.system import SeparateSystem
+from vpr_baselines.twostage.shared import SharedSystem
+from vpr_baselines.twostage.system import System
+from vpr_bench.checkpoint import kept
+from vpr_bench.shortlist import shortlist
 from vpr_bench.timing import stage
+from vpr_bench.types.clusters import Clusters
 from vpr_bench.types.match import Match
 from vpr_bench.types.traverse import Traverse
 from vpr_bench.weights.choice import choose_weights
 
 AtLeastOne = Annotated[int, Field(ge=1)]
+Share = Annotated[float, Field(ge=0, le=1)]
+Side = Annotated[int, Field(ge=32, le=4000)]
 
-_CLUSTERING_HOG = Hog(width=224, height=224, cell=8)
 _CLUSTER_SIZE = 12  # chosen on day_left-day_right and the simulated walk, where 5 to 25 hardly differ
-_MAP_FILE = "map.safetensors"
+_CANDIDATES = 21
 
 
 @dataclass
 class TwoStage:
-    """Stage one picks clusters, components pick images inside them, cosine similarity re-ranks.
+    """Stage one picks clusters, components pick images inside them, their cells decide between those.
 
-    Fitting cuts the reference sequence into clusters of similar HOG, enlarges it five-fold by augmentation,
-    describes every image once by the frozen trunk, and learns one linear layer for stage one (image → cluster)
-    and one per component (image → reference within the cluster). A query costs one pass through the trunk,
-    whatever ``n_components`` is.
+    Fitting cuts the reference sequence into clusters, enlarges it five-fold by augmentation, describes every image
+    once by the frozen trunk, and learns one linear layer for stage one (image → cluster) and one per component
+    (image → reference within the cluster). A query costs one pass through the trunk, whatever ``n_components`` is;
+    the score is a confidence that is calibrated on the references' own augmentations. The preset ``thesis`` is the
+    system as published: a ResNet-18 per part, cosine similarity.
 
     Parameters
     ----------
     n_components : int
         How many of the best clusters trigger their component; more than there are triggers all.
-    answers_per_component : int
-        How many references each triggered component names.
+    answers_per_component : int, optional
+        How many references each triggered component names; by default as many as make 21 candidates, 3 each of 7.
+    rerank : {"spatial", "cosine"}, optional
+        Compare candidates by the displacement that most of their cells agree on, or by descriptors alone. By default
+        ``spatial`` where parts share a trunk; separate networks know ``cosine`` only.
+    components : {"shared", "separate"}
+        One trunk for all parts, or a whole network for each, run one after the other.
+    finetune : bool
+        Of separate networks: train all layers, not the last one alone.
+    epochs : int
+        Of ``finetune``, at most.
+    clustering : {"count", "leader", "chain", "kmeans", "focus", "labels"}
+        How clusters are made, see :class:`~vpr_baselines.clustering.options.ClusteringOptions`.
+    cluster_by : {"trunk", "hog", "hog:thesis", "sift", "alexnet"}
+        What references are compared by for it: the trunk's global descriptor, or those of the thesis.
+    distance : {"cosine", "l1", "l2"}
+        How.
+    threshold : float, optional
+        For ``leader``, ``chain`` and ``focus``. None carries over from one dataset to another.
     n_clusters : int, optional
-        How many clusters, cut where the HOG of neighbours differ most; by default one per 12 references.
-    similarity : float, optional
-        Instead of a number, the thesis's threshold: a new cluster starts where the HOG's cosine similarity to the
-        cluster's first image falls below it. It does not carry over from one dataset to another: 0.65 makes 17
-        clusters of Gardens Point's day_left and a single one of the simulated day_left.
+        For ``count`` and ``kmeans``; by default one per 12 references.
+    labels : list of int, optional
+        For ``labels``: the cluster of each reference.
+    min_size, max_size : int, optional
+        How many references a cluster has at least and at most.
     backbone : {"efficientnet-lite0", "resnet18", "alexnet"}
-        The trunk, with its ImageNet weights; those of the first come with the installation.
+        The trunk; the weights of the first come with the installation.
+    weights : str
+        ``imagenet``, ``places365``, the path of a checkpoint, or ``random``.
+    layer : str, optional
+        The convolution that the shared trunk ends with, cut short; by default its last one.
     width, height : int
         Input size of the trunk in pixels.
+    normalise : {"grey+clahe", "none"}
+        Grey and locally equalised, or colours as they are.
+    pooling : {"gem", "average", "grid1x3", "grid2x3"}
+        How the last map becomes a descriptor where the trunk is shared; separate networks average.
+    dimensions : int
+        Of the descriptor, per part of the grid.
+    cells : int
+        Cells kept per image.
+    cell_dimensions : int
+        Of each.
+    whitening : float
+        How far principal directions of the references are made equally long, in [0, 1].
     penalty : float
         Inverse strength of the L2 penalty on the linear layers.
     seed : int
-        Of the augmentations.
+        Of augmentations, splits, K-means and random weights.
     """
 
-    version: ClassVar[str] = "1"
+    version: ClassVar[str] = "2"
     expected_failures: ClassVar[dict[str, str]] = {
         "permuted-references": "clusters are stretches of the reference sequence",
     }
+    may_answer_fewer: ClassVar[str] = "only what the triggered components name is in the running"
+    presets: ClassVar[dict[str, dict[str, Any]]] = {
+        "thesis": {
+            "components": "separate",
+            "rerank": "cosine",
+            "answers_per_component": 3,
+            "clustering": "leader",
+            "cluster_by": "hog",
+            "threshold": 0.65,
+            "backbone": "resnet18",
+            "weights": "places365",
+            "width": 227,
+            "height": 227,
+            "normalise": "none",
+            "pooling": "average",
+        },
+    }
 
     n_components: AtLeastOne = 7
-    answers_per_component: AtLeastOne = 3
+    answers_per_component: AtLeastOne | None = None
+    rerank: Rerank | None = None
+    components: Literal["shared", "separate"] = "shared"
+    finetune: bool = False
+    epochs: AtLeastOne = 10
+    clustering: Kind = "count"
+    cluster_by: Literal["trunk"] | ClusterBy = "trunk"
+    distance: Distance = "cosine"
+    threshold: float | None = None
     n_clusters: AtLeastOne | None = None
-    similarity: Annotated[float, Field(ge=-1, le=1)] | None = None
+    labels: list[int] | None = None
+    min_size: AtLeastOne = 1
+    max_size: AtLeastOne | None = None
     backbone: Backbone = "efficientnet-lite0"
-    width: Annotated[int, Field(ge=32)] = 416
-    height: Annotated[int, Field(ge=32)] = 256
+    weights: str = "imagenet"
+    layer: str | None = None
+    width: Side = 416
+    height: Side = 256
+    normalise: Normalise = "grey+clahe"
+    pooling: Pooling = "grid2x3"
+    dimensions: AtLeastOne = 128
+    cells: AtLeastOne = 300
+    cell_dimensions: AtLeastOne = 48
+    whitening: Share = 0.3
     penalty: Annotated[float, Field(gt=0)] = 10.0
     seed: Annotated[int, Field(ge=0)] = 0
 
     def __post_init__(self) -> None:
-        """Check that the clusters are asked for in one way.
+        """Check that the parameters go together.
 
         Raises
         ------
         ValueError
-            If both a number and a threshold are given.
+            If they do not.
         """
-        if self.n_clusters is not None and self.similarity is not None:
-            raise ValueError("give n_clusters or similarity, not both")
+        if self.components == "separate" and (self.rerank == "spatial" or self.layer is not None):
+            what = "no layer" if self.layer is not None else "rerank='cosine' only"
+            raise ValueError(f"components='separate' knows {what}")
+        if self.components == "shared" and self.finetune:
+            raise ValueError("finetune=True needs components='separate': a shared trunk stays as it is")
+        self._options(1)
 
     def weights_digest(self) -> str:
-        """Name the trunk's weights by their SHA-256."""
-        return choose_weights(self.backbone, "imagenet").identity()
+        """Name the trunk's weights by training set and SHA-256.
+
+        Raises
+        ------
+        UsageError
+            If ``weights`` means nothing.
+        DataError
+            If they are missing or damaged; says how to get them.
+        """
+        return choose_weights(self.backbone, self.weights, self.seed).identity()
 
     def fit(self, references: Traverse) -> None:
         """Cluster the references and train stage one and the components on them.
@@ -100,83 +188,125 @@ class TwoStage:
         ------
         DataError
             If an image cannot be decoded, or the weights are missing or damaged.
+        ValueError
+            If the references cannot be clustered as the parameters ask for.
         """
-        raw, owners, hogs = self._describe_references(references)
-        originals = np.arange(len(references)) * (len(raw) // len(references))
-        self.mean_ = raw[originals].mean(axis=0)
-        descriptors = self._centred(raw)
-        self.database_ = descriptors[originals]
-        clusters = self._cluster(hogs)
-        self.stage_one_ = train_head(descriptors, clusters.labels[owners], len(clusters), self.penalty)
-        self.components_ = train_components(clusters, descriptors, owners, self.penalty)
+        self.system_: System
+        if self.components == "separate":
+            clusters = Clusters(kept("clusters", lambda: {"labels": self.cluster(references).labels})["labels"])
+            self.system_ = fit_separate(
+                references, clusters, self._body, self.penalty, self.seed, self.epochs if self.finetune else None
+            )
+        else:
+            encoder = self._encoder(references)
+            self.system_ = fit_shared(
+                references, encoder, self._clustered, self.rerank or "spatial", self.penalty, self.seed
+            )
 
     def match(self, image: NDArray[np.uint8], k: int) -> Match:
-        """Answer with at most ``n_components × answers_per_component`` references; the score is their cosine."""
+        """Answer with at most as many references as the triggered components name, by the score of the re-ranking."""
+        system = self.system_
         with stage("encode"):
-            descriptor = self._centred(gem(self._trunk.encode([image])))[0]
+            query = system.encode(image)
         with stage("match"):
-            logits = self.stage_one_.logits(descriptor)
-            triggered = np.argsort(-logits, kind="stable")[: self.n_components]
-            candidates = self.components_.answer(descriptor, triggered, self.answers_per_component)
+            triggered = np.argsort(-system.rank(query), kind="stable")[: self.n_components]
+            best = self.answers_per_component or -(-_CANDIDATES // len(triggered))
+            candidates = system.answers(query, triggered, best).references
         with stage("rerank"):
-            return Match.from_scores(self.database_[candidates] @ descriptor, k, candidates)
+            match = Match.from_scores(system.scores(query, candidates), k, candidates)
+        everything = len(triggered) == len(system.clusters)
+        shortlist("clusters", None if everything else np.flatnonzero(np.isin(system.clusters.labels, triggered)))
+        shortlist("components", candidates)
+        return match
+
+    def extend(self, references: Traverse) -> None:
+        """Put references behind those that are there: they get clusters and components of their own.
+
+        The other components stay as they are, and so does what was learnt about the trunk's responses; stage one is
+        trained again on stored descriptors.
+
+        Raises
+        ------
+        NotImplementedError
+            If every part has a network of its own.
+        ValueError
+            If labels were given: there are none for the new references.
+        """
+        if not isinstance(self.system_, SharedSystem):
+            raise NotImplementedError(
+                "components='separate' cannot be extended: all of stage one would be trained again"
+            )
+        if self.clustering == "labels":
+            raise ValueError("a map that was clustered by given labels cannot be extended; fit all references again")
+        self.system_ = extend_shared(self.system_, references, self._clustered, self.penalty, self.seed)
+
+    def cluster(self, references: Traverse) -> Clusters:
+        """Return the clusters that :meth:`fit` makes of the references."""
+        return self.cluster_described(self.describe_for_clusters(references))
+
+    def describe_for_clusters(self, references: Traverse) -> NDArray[np.float32]:
+        """Return the (n, D) descriptors that the references are clustered by."""
+        if self.cluster_by != "trunk":
+            return describe_references(self.cluster_by, references)
+        return self._encoder(references).describe_traverse(references)
+
+    def cluster_described(self, descriptors: NDArray[np.float32]) -> Clusters:
+        """Return the clusters of what :meth:`describe_for_clusters` returned."""
+        return cluster_descriptors(descriptors, self._options(len(descriptors)))
+
+    def augmented(self, image: NDArray[np.uint8], index: int) -> dict[str, NDArray[np.uint8]]:
+        """Return the augmentations of the ``index``-th reference, by name."""
+        return augmented_by_name(image, self.seed, index)
 
     def save(self, folder: Path) -> None:
-        """Write the fitted map as one safetensors file."""
-        arrays = {
-            "mean": self.mean_,
-            "database": self.database_,
-            "bounds": self.components_.clusters.bounds,
-            "stage_one.weight": self.stage_one_.weight,
-            "stage_one.bias": self.stage_one_.bias,
-            "components.weight": self.components_.head.weight,
-            "components.bias": self.components_.head.bias,
-        }
-        # safetensors writes an array's memory as it lies there, column by column for some.
-        save_file({name: np.ascontiguousarray(array) for name, array in arrays.items()}, folder / _MAP_FILE)
+        """Write the fitted map into an existing folder."""
+        self.system_.save(folder)
 
     def load(self, folder: Path) -> Self:
-        """Read what :meth:`save` wrote."""
-        stored = load_file(folder / _MAP_FILE)
-        self.mean_, self.database_ = stored["mean"], stored["database"]
-        self.stage_one_ = LinearHead(stored["stage_one.weight"], stored["stage_one.bias"])
-        head = LinearHead(stored["components.weight"], stored["components.bias"])
-        self.components_ = Components(Clusters(stored["bounds"]), head)
+        """Read what :meth:`save` wrote.
+
+        Raises
+        ------
+        DataError
+            If it is damaged, or the weights are missing.
+        """
+        if self.components == "separate":
+            self.system_ = SeparateSystem.load(folder, self._body, finetune=self.finetune)
+        else:
+            self.system_ = SharedSystem.load(folder, self._look, self.rerank or "spatial")
         return self
 
     @property
-    def _trunk(self) -> Trunk:
-        return load_trunk(self.backbone, self.width, self.height)
+    def _look(self) -> Look:
+        one = ARCHITECTURES[self.backbone]
+        layers = one.cut_at(self.layer) if self.layer else (one.middle, one.last)
+        size = self.width, self.height
+        return Look(load_trunk(one, *size, self.weights, self.normalise, layers, self.seed), self.pooling)
 
-    def _describe_references(
-        self, references: Traverse
-    ) -> tuple[NDArray[np.float32], NDArray[np.int64], NDArray[np.float32]]:
-        """Describe every reference and its augmentations, each original before its own.
+    @property
+    def _body(self) -> Body:
+        return load_body(self.backbone, self.weights, self.width, self.height, self.normalise, self.seed)
 
-        Returns
-        -------
-        descriptors : (n · 6, D) float32
-            Pooled, neither centred nor normalised.
-        owners : (n · 6,) int64
-            The reference that each belongs to.
-        hogs : (n, H) float32
-            Unit length, of the originals.
-        """
-        descriptors, owners, hogs = [], [], []
-        for index, image in enumerate(track(references, "Describing references, augmented five-fold")):
-            # Augmenting at the trunk's own size costs a fifth of it and shows the trunk the same.
-            small = resized(image, self.width, self.height)
-            variants = [image, *augmented(small, self.seed, index)]
-            descriptors.append(gem(self._trunk.encode(variants)))
-            owners.extend([index] * len(variants))
-            hogs.append(_CLUSTERING_HOG.describe(image))
-        return np.concatenate(descriptors), np.array(owners, dtype=np.int64), normalised(np.stack(hogs))
+    def _encoder(self, references: Traverse) -> Encoder:
+        return Encoder.learn(self._look, references, self.dimensions, self.cell_dimensions, self.cells, self.whitening)
 
-    def _cluster(self, hogs: NDArray[np.float32]) -> Clusters:
-        if self.similarity is not None:
-            return by_similarity(hogs, self.similarity)
-        return by_count(hogs, self.n_clusters or max(round(len(hogs) / _CLUSTER_SIZE), 1))
+    def _clustered(self, references: Traverse, originals: NDArray[np.float32]) -> Clusters:
+        """Cluster references whose descriptors by the trunk are known already."""
+        return self.cluster_described(
+            originals if self.cluster_by == "trunk" else self.describe_for_clusters(references)
+        )
 
-    def _centred(self, descriptors: NDArray[np.float32]) -> NDArray[np.float32]:
-        """Take away what all references have in common; what is left tells places apart."""
-        return normalised(descriptors - self.mean_)
+    def _options(self, references: int) -> ClusteringOptions:
+        count = self.n_clusters
+        if count is None and self.clustering in ("count", "kmeans"):
+            count = max(round(references / _CLUSTER_SIZE), 1)
+        return ClusteringOptions(
+            kind=self.clustering,
+            distance=self.distance,
+            threshold=self.threshold,
+            n_clusters=None if count is None else min(count, references),
+            labels=None if self.labels is None else tuple(self.labels),
+            min_size=self.min_size,
+            max_size=self.max_size,
+            seed=self.seed,
+        )

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vpr_bench.errors import DataError
-from vpr_datasets.layouts.natural import natural_key
+from vpr_bench.files.images import natural_key
 
 Align = Literal["order", "number", "stem"]
 

@@ -9,14 +9,13 @@ from vpr_bench.dataset.card import TraverseCard
 from vpr_bench.dataset.layout import Layout, Recognised
 from vpr_bench.dataset.recording import Recording
 from vpr_bench.errors import DataError
+from vpr_bench.files.images import image_files, natural_key
 from vpr_bench.types.traverse import Traverse
 from vpr_datasets.layouts.compasses import joint_compass
 from vpr_datasets.layouts.exif_header import Photograph, read_header
 from vpr_datasets.layouts.faults import check_count, placed, refuse
-from vpr_datasets.layouts.images import image_files
 from vpr_datasets.layouts.looking import folders_in, images_in
 from vpr_datasets.layouts.metres import PositionError, zone_of
-from vpr_datasets.layouts.natural import natural_key
 from vpr_datasets.layouts.positioned import Found, positioned
 
 _ADVICE = "Move the photographs without a position away."

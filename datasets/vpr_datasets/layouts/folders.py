@@ -9,11 +9,12 @@ from vpr_bench.dataset.card import TraverseCard
 from vpr_bench.dataset.layout import Layout, Recognised
 from vpr_bench.dataset.recording import Recording
 from vpr_bench.errors import DataError, closest
+from vpr_bench.files.images import listed
 from vpr_bench.types.traverse import Traverse
 from vpr_datasets.layouts.alignment import Align, aligned, choose
 from vpr_datasets.layouts.bayer import Bayer
 from vpr_datasets.layouts.faults import check_count
-from vpr_datasets.layouts.listing import folders_of_images, listed
+from vpr_datasets.layouts.listing import folders_of_images
 from vpr_datasets.layouts.roles import pairings
 
 RADIUS = 2.0

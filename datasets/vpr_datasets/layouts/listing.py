@@ -6,20 +6,8 @@ from pathlib import Path
 from typing import Any
 
 from vpr_bench.dataset.describe_own import slug
-from vpr_datasets.layouts.images import image_files
+from vpr_bench.files.images import natural_key
 from vpr_datasets.layouts.looking import folders_in, images_in
-from vpr_datasets.layouts.natural import natural_key
-
-
-def listed(folder: Path) -> list[Path]:
-    """Return the image files of a folder in natural order, ``img2`` before ``img10``.
-
-    Raises
-    ------
-    DataError
-        If the folder is missing or cannot be read.
-    """
-    return sorted(image_files(folder), key=lambda file: natural_key(file.name))
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ from itertools import islice
 from pathlib import Path
 
 from vpr_bench.errors import DataError
+from vpr_bench.files.images import image_files
 from vpr_bench.types.image import SUFFIXES
-from vpr_datasets.layouts.images import image_files
 
 _ENOUGH = 20_000
 """Folders and files that are looked at before the search for an image is given up."""

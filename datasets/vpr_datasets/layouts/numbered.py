@@ -11,8 +11,8 @@ from vpr_bench.dataset.card import TraverseCard
 from vpr_bench.dataset.layout import Layout
 from vpr_bench.dataset.recording import Recording
 from vpr_bench.errors import DataError
+from vpr_bench.files.images import image_files
 from vpr_bench.types.traverse import Traverse
-from vpr_datasets.layouts.images import image_files
 
 
 def load(

@@ -11,13 +11,13 @@ from vpr_bench.dataset.card import TraverseCard
 from vpr_bench.dataset.layout import Layout, Recognised
 from vpr_bench.dataset.recording import Recording
 from vpr_bench.errors import DataError
+from vpr_bench.files.images import image_files
 from vpr_bench.files.npz import array_names, array_shape, read_numbers
 from vpr_bench.types.ground_truth import GroundTruth
 from vpr_bench.types.traverse import Traverse
 from vpr_datasets.layouts.bayer import Bayer
 from vpr_datasets.layouts.faults import check_count
 from vpr_datasets.layouts.fix_of_image import fixes_of
-from vpr_datasets.layouts.images import image_files
 from vpr_datasets.layouts.inside import inside
 from vpr_datasets.layouts.listing import ImageFolder, folders_of_images
 from vpr_datasets.layouts.roles import pairings

@@ -12,12 +12,13 @@ from vpr_bench.dataset.layout import Layout, Recognised
 from vpr_bench.dataset.load import DatasetWarning
 from vpr_bench.dataset.recording import Recording
 from vpr_bench.errors import DataError
+from vpr_bench.files.images import listed
 from vpr_bench.files.restricted_pickle import read_object_array
 from vpr_bench.types.ground_truth import GroundTruth
 from vpr_bench.types.traverse import Traverse
 from vpr_datasets.layouts.faults import check_count
 from vpr_datasets.layouts.inside import inside
-from vpr_datasets.layouts.listing import folders_of_images, listed
+from vpr_datasets.layouts.listing import folders_of_images
 
 FILES = ("ground_truth_new.npy", "ground_truth.npy")
 """Names of the list; the first is the one that VPR-Bench reads."""

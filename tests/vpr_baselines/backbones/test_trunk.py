@@ -58,7 +58,7 @@ def test_pixels_are_scaled_channel_by_channel(backbone):
     one = ARCHITECTURES[backbone]
     image = noise(3, 4)
     expected = ((image / 255 - np.array(one.mean)) / np.array(one.std)).transpose(2, 0, 1)[None]
-    assert np.allclose(trunk._input(image).numpy(), expected, atol=1e-5)
+    assert np.allclose(trunk.input(image).numpy(), expected, atol=1e-5)
 
 
 def test_it_is_shared_by_all_that_ask_for_it_and_its_network_by_trunks_of_other_sizes(trunk):

@@ -38,9 +38,9 @@ def test_the_numbers_of_clusters_of_the_real_walk():
     references = load_case("gardens", edition="real").references
     large = describe_references("hog", references)
     counts = [len(cluster_descriptors(large, ClusteringOptions("leader", threshold=one))) for one in (0.65, 0.70)]
-    assert counts == pytest.approx([17, 27], abs=12)  # libraries decode and resize a little differently
+    assert counts == pytest.approx([17, 36], abs=8)  # libraries decode and resize a little differently
     small = describe_references("hog:thesis", references)
     counts = [
         len(cluster_descriptors(small, ClusteringOptions("focus", "l1", threshold=one))) for one in (340, 355, 370)
     ]
-    assert counts == pytest.approx([19, 15, 12], abs=4)
+    assert counts == pytest.approx([19, 15, 9], abs=4)

@@ -13,6 +13,7 @@ from vpr_bench.method.build import build_method
 from vpr_bench.method.interfaces import Foresighted, is_sequential
 from vpr_bench.runner.run import RunOptions, run
 from vpr_bench.runner.store import RunStore
+from vpr_bench.shortlist import shortlist
 from vpr_bench.types.places import Places
 from vpr_bench.types.protocol import Protocol
 from vpr_bench.types.traverse import Traverse
@@ -111,3 +112,26 @@ def test_fitting_again_forgets(case, name):
 def test_a_sequence_method_inside_another_is_refused(name):
     with pytest.raises(UsageError, match="inner must be a method for single images"):
         build_method(name, {"inner": "hmm"})
+
+
+@pytest.mark.parametrize("name", WRAPPERS)
+def test_what_the_method_inside_rules_out_is_not_ruled_out(case, tmp_path, name):
+    class Narrowing(Hog):
+        def match(self, image, k):
+            shortlist("nearest", [0])
+            return super().match(image, k)
+
+        def scores(self, image):
+            shortlist("nearest", [0])
+            return super().scores(image)
+
+    built = replace(build_method(name), method=WRAPPERS[name](inner=Narrowing(width=32, height=32, cell=8)))
+    assert run(case, built, RunStore(tmp_path), RunOptions()).survivors == []
+
+
+@pytest.mark.parametrize(
+    ("method", "wrong"), [("seqslam", {"v_max": 1e8}), ("seqslam", {"past": 10**9}), ("hmm", {"v_max": 10**9})]
+)
+def test_what_would_take_for_ever_is_refused(method, wrong):
+    with pytest.raises(UsageError, match="should be less than or equal to"):
+        build_method(method, {"inner": "sad", **wrong})

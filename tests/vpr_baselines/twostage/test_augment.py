@@ -1,7 +1,18 @@
 import numpy as np
 import pytest
 
-from vpr_baselines.twostage.augment import AUGMENTATIONS, augmented, blur, equalise, erase, gaussian_noise, rotate
+from vpr_baselines.twostage.augment import (
+    AUGMENTATIONS,
+    VARIANTS,
+    augmented,
+    augmented_by_name,
+    blur,
+    equalise,
+    erase,
+    gaussian_noise,
+    rotate,
+    variant_of,
+)
 
 
 @pytest.fixture
@@ -88,3 +99,18 @@ def test_rotation_is_about_the_centre(chance):
     rotated = rotate(image, chance)
     y, x = np.nonzero(rotated[..., 0] > 127)
     assert abs(y.mean() - 24) < 1 and abs(x.mean() - 32) < 1
+
+
+def test_they_can_be_had_by_name_and_one_by_one(image):
+    named = augmented_by_name(image, 3, 7)
+    assert list(named) == [
+        "Gaussian noise",
+        "blur",
+        "histogram equalisation",
+        "random erasing",
+        "random rotation",
+    ]
+    single = [variant_of(image, 3, 7, number) for number in range(1, 6)]
+    assert all(np.array_equal(*pair) for pair in zip(named.values(), single, strict=True))
+    assert all(np.array_equal(*pair) for pair in zip(named.values(), augmented(image, 3, 7), strict=True))
+    assert variant_of(image, 3, 7, 0) is image and VARIANTS == 6

@@ -1,65 +1,78 @@
 import numpy as np
 import pytest
 
-from vpr_baselines.twostage.clusters import Clusters
-from vpr_baselines.twostage.components import Components, train_components
+from vpr_baselines.twostage.components import Answers, Components
 from vpr_baselines.twostage.heads import LinearHead
+from vpr_bench.types.clusters import Clusters
 
-CLUSTERS = Clusters(np.array([0, 4, 5, 10]))
+SCATTERED = Clusters([0, 1, 0, 0, 1, 2])
+ROWS = [0, 2, 3, 1, 4, 5]  # the references in the order of the clusters
 
 
 @pytest.fixture
 def components():
-    """Every reference answers to a direction of its own, by as much as its number says."""
-    return Components(CLUSTERS, LinearHead(np.eye(10, dtype=np.float32), np.zeros(10, np.float32)))
+    """Every reference answers to a direction of its own."""
+    return Components(SCATTERED, LinearHead(np.eye(6, dtype=np.float32)[ROWS], np.zeros(6, np.float32)))
 
 
-@pytest.fixture(scope="module")
-def trained():
-    """Components trained on two noisy descriptors of each of 10 references."""
-    chance = np.random.default_rng(0)
-    references = np.repeat(np.arange(10), 2)
-    descriptors = np.eye(10)[references] + 0.05 * chance.standard_normal((20, 10))
-    order = chance.permutation(20)
-    return train_components(CLUSTERS, descriptors[order].astype(np.float32), references[order], penalty=10.0)
+QUERY = np.array([0.1, 0.9, 0.5, 0.2, 1.0, 0.3], np.float32)
+
+
+def test_rows_stand_cluster_by_cluster(components):
+    assert components.references.tolist() == ROWS
+    assert components.bounds.tolist() == [0, 3, 5, 6]
+    assert [components.members(one).tolist() for one in range(3)] == [[0, 2, 3], [1, 4], [5]]
 
 
 def test_each_triggered_component_names_its_best(components):
-    descriptor = np.array([0.1, 0.9, 0.5, 0.2, 0.0, 0.3, 0.1, 0.2, 0.9, 0.8], np.float32)
-    assert components.answer(descriptor, np.array([2, 0]), best=2).tolist() == [8, 9, 1, 2]
-    assert components.answer(descriptor, np.array([0]), best=1).tolist() == [1]
+    answers = components.answers(QUERY, np.array([1, 0]), best=2)
+    assert answers.references.tolist() == [4, 1, 2, 3]
+    assert answers.components.tolist() == [1, 1, 0, 0]
+    assert answers.logits == pytest.approx([1.0, 0.9, 0.5, 0.2])
+    assert answers.references.dtype == answers.components.dtype == np.int64
+
+
+def test_probabilities_are_within_the_whole_cluster(components):
+    answers = components.answers(QUERY, np.array([0]), best=2)
+    exponentials = np.exp(QUERY[[2, 3, 0]])
+    assert answers.probabilities == pytest.approx((exponentials / exponentials.sum())[:2])
+    assert components.answers(QUERY, np.array([2]), best=9).probabilities.tolist() == [1.0]
+
+
+def test_large_logits_have_probabilities_too(components):
+    loud = Components(SCATTERED, LinearHead(components.head.weight * 1e4, components.head.bias))
+    assert loud.answers(QUERY, np.array([0]), best=3).probabilities == pytest.approx([1, 0, 0])
 
 
 def test_the_bias_belongs_to_the_reference(components):
-    biased = Components(CLUSTERS, LinearHead(components.head.weight, np.arange(10, dtype=np.float32)))
-    assert biased.answer(np.zeros(10, np.float32), np.array([0, 2]), best=2).tolist() == [3, 2, 9, 8]
+    biased = Components(SCATTERED, LinearHead(components.head.weight, np.arange(6, dtype=np.float32)))
+    answers = biased.answers(np.zeros(6, np.float32), np.array([0, 1]), best=2)
+    assert answers.references.tolist() == [3, 2, 4, 1]
 
 
-def test_a_small_cluster_gives_all_it_has(components):
-    answers = components.answer(np.zeros(10, np.float32), np.array([1, 0]), best=3)
-    assert answers.tolist() == [4, 0, 1, 2]
+def test_a_small_cluster_gives_all_it_has_and_equals_come_in_their_order(components):
+    answers = components.answers(np.zeros(6, np.float32), np.array([2, 0]), best=99)
+    assert answers.references.tolist() == [5, 0, 2, 3]
 
 
-def test_answers_are_unique_and_inside_the_triggered_clusters(trained):
-    answers = trained.answer(np.ones(10, np.float32), np.array([2, 1, 0]), best=99)
-    assert sorted(answers.tolist()) == list(range(10))
-    assert set(trained.answer(np.ones(10, np.float32), np.array([2]), best=3).tolist()) <= set(range(5, 10))
+def test_nothing_triggered_names_nothing(components):
+    answers = components.answers(QUERY, np.empty(0, np.int64), best=3)
+    assert [len(part) for part in vars(answers).values()] == [0, 0, 0, 0]
+    assert answers.references.dtype == np.int64
 
 
-@pytest.mark.parametrize("reference", range(10))
-def test_trained_components_recognise_their_own_references(trained, reference):
-    cluster = CLUSTERS.labels[reference]
-    descriptor = np.eye(10, dtype=np.float32)[reference]
-    assert trained.answer(descriptor, np.array([cluster]), best=1).tolist() == [reference]
+def test_only_triggered_rows_are_read_and_half_precision_will_do(components, tmp_path):
+    half = np.lib.format.open_memmap(tmp_path / "half.npy", "w+", np.float16, (6, 6))
+    half[:] = components.head.weight
+    half[3:] = np.nan
+    mapped = Components(SCATTERED, LinearHead(half, components.head.bias))
+    answers = mapped.answers(QUERY, np.array([0]), best=3)
+    assert answers.references.tolist() == [2, 3, 0] and answers.logits.dtype == np.float32
+    assert mapped.part(0).weight.dtype == np.float32
 
 
-def test_a_component_knows_only_its_own_cluster():
-    """What is learnt about one cluster does not depend on the others."""
-    chance = np.random.default_rng(0)
-    references = np.repeat(np.arange(10), 2)
-    descriptors = chance.standard_normal((20, 6)).astype(np.float32)
-    changed = descriptors.copy()
-    changed[references >= 5] *= -1
-    heads = [train_components(CLUSTERS, one, references, 10.0).head for one in (descriptors, changed)]
-    assert np.array_equal(heads[0].weight[:5], heads[1].weight[:5])
-    assert not np.allclose(heads[0].weight[5:], heads[1].weight[5:])
+def test_answers_are_joined_in_order():
+    one = Answers.best(4, np.array([7, 9]), np.array([0.0, 1.0], np.float32), 1)
+    two = Answers.best(2, np.array([3]), np.array([5.0], np.float32), 3)
+    joined = Answers.join([one, two])
+    assert joined.references.tolist() == [9, 3] and joined.components.tolist() == [4, 2]

@@ -168,7 +168,7 @@ def test_ctrl_c_keeps_what_was_done(tmp_path):
         "    def match(self, image, k):\n"
         "        print('matching', flush=True)\n"
         "        time.sleep(self.match_seconds)\n"
-        "        return Match([0], [1.0])\n"
+        "        return Match(range(k), [0.0] * k)\n"
     )
     (tmp_path / "tiny.py").write_text(
         "import sys\n"
@@ -188,7 +188,17 @@ def test_ctrl_c_keeps_what_was_done(tmp_path):
         "main()\n"
     )
     for phase, parameter in (("fitting", "fit=60"), ("matching", "match=60")):
-        words = [sys.executable, "tiny.py", "run", "--method", "slow:Slow", "--param", parameter, "--dataset", "tiny"]
+        words = [
+            sys.executable,
+            "tiny.py",
+            "run",
+            "--method",
+            "slow:Slow",
+            "--param",
+            parameter,
+            "--dataset",
+            "gardens",
+        ]
         process = subprocess.Popen(words, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         while phase not in process.stderr.readline():  # what a method prints is no result
             assert process.poll() is None, process.stderr.read()

@@ -36,7 +36,9 @@ class Faulty:
                 return Match(range(k + 1), np.zeros(k + 1))
             while self.fault == "hangs":
                 time.sleep(0.001)
-        return Match([self.count % self.size], [1.0])
+            if self.fault == "few":
+                return Match([0], [1.0])
+        return Match((self.count + np.arange(k)) % self.size, np.zeros(k))
 """
 SAID = {
     "raises": "RuntimeError: no light",
@@ -44,6 +46,7 @@ SAID = {
     "twice": "the indices of a match must be unique",
     "outside": "with reference 12 of a map of 12",
     "many": "references where 5 were asked for",
+    "few": "1 reference where 5 were asked for",
     "hangs": "TimeoutError: no answer within 0.1 s",
 }
 

@@ -90,3 +90,65 @@ def test_a_run_that_cannot_be_scored_hides_no_other(vpr_bench, folder):
 def test_a_sweep_leaves_the_stored_protocol_alone(vpr_bench, folder):
     assert vpr_bench(*TINY, "--radius", "0,3", "--overwrite", "always").code == 0
     assert "tiny/day_left-day_right@1f" in vpr_bench("show").out
+
+
+def test_a_sweep_is_a_table_of_radii(vpr_bench, folder):
+    done = vpr_bench("score", "--radius", "0..3,5", "--metric", "recall@1")
+    assert done.code == 0
+    heads = [line.split()[2:] for line in done.out.splitlines() if line.startswith("radius (f)")]
+    assert heads == [["0", "1", "2", "3", "5"]]
+    text = vpr_bench("score", "--radius", "0..3,5", "--metric", "recall@1", "--format", "markdown").out
+    assert "| radius (f) | 0 | 1 | 2 | 3 | 5 |" in text
+    rows = json.loads(vpr_bench("score", "--radius", "0..3,5", "--format", "json").out)
+    assert [row["radius"] for row in rows] == [0, 1, 2, 3, 5]
+
+
+def test_a_sweep_of_several_runs_is_drawn(vpr_bench, folder):
+    assert vpr_bench(*TINY, "--seed", "1").code == 0
+    done = vpr_bench("score", "--radius", "0..3", "--plot", "radius.png", "--format", "json")
+    assert done.code == 0 and len(json.loads(done.out)) == 8
+    assert "radius.png" in done.err and Path("radius.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_markdown(vpr_bench, folder):
+    assert vpr_bench("show", "--format", "markdown").out.startswith("| method | run | protocol | recall@1 |")
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (("score", "--plot", "radius.png"), 2, "give several"),
+        (("score", "--radius", "0,1", "--plot", "radius.gif"), 2, "must end in .png or .svg"),
+        (("score", "--radius", "0,1", "--plot", "nowhere/radius.png"), 3, "Cannot write"),
+        (("score", "--radius", "3..1"), 2, "A range of radii goes up"),
+        (("score", "--radius", "0..999999999"), 2, "A range of radii goes up"),
+        (("score", "--radius", "-1..2"), 2, "Got '-1..2'"),
+        (("show", "--plot-stages", "lost.png"), 2, "nothing to draw"),
+        (("show", "--plot-stages", "lost.txt"), 2, "must end in .png or .svg"),
+    ],
+)
+def test_pictures_that_cannot_be_drawn(vpr_bench, folder, words, code, said):
+    done = vpr_bench(*words)
+    assert done.code == code and said in done.err and "Traceback" not in done.err
+
+
+def test_losses_of_a_method_that_notes_its_shortlists(vpr_bench, tiny_dataset):
+    Path("narrowing.py").write_text(
+        "import numpy as np\n"
+        "from vpr_bench.shortlist import shortlist\n"
+        "from vpr_bench.types.match import Match\n"
+        "class Narrowing:\n"
+        "    def fit(self, references): pass\n"
+        "    def match(self, image, k):\n"
+        "        shortlist('coarse', np.arange(6))\n"
+        "        return Match(np.arange(k), -np.arange(k))\n"
+    )
+    done = vpr_bench("run", "--method", "narrowing.py:Narrowing", "--dataset", "tiny")
+    assert "lost the right place by: coarse" in done.out
+    stored = str(next(Path("runs").rglob("run.json")).parent)
+    done = vpr_bench("show", stored, "--plot-stages", "lost.png")
+    assert done.code == 0 and "right place among them" in done.out and Path("lost.png").exists()
+    tiny_dataset.without_images()
+    rows = json.loads(vpr_bench("score", stored, "--radius", "0,3", "--format", "json").out)
+    assert rows[0]["steps"][0]["lost"] > rows[1]["steps"][0]["lost"] > 0
+    assert "lost by coarse" in vpr_bench("score", stored, "--radius", "0,3").out

@@ -164,13 +164,24 @@ def test_one_pairing_may_have_several_reaches(read):
 
 def test_a_group_stands_for_its_datasets():
     assert {"gardens", "nordland"} <= set(expand_groups(["thesis"]))
-    assert expand_groups(["gardens", "gardens:simulated", "no-such", "./here", "gardens"]) == [
+    assert expand_groups(["gardens", "gardens:simulated", "./here", "gardens"]) == [
         "gardens",
         "gardens:simulated",
-        "no-such",
         "./here",
     ]
     assert "gardens:simulated" in expand_groups(["thesis:simulated"])
+
+
+@pytest.mark.parametrize(("name", "near"), [("berlim", "berlin"), ("gardn:real", "gardens"), ("thesi", "thesis")])
+def test_a_misspelt_name_is_compared_with_datasets_and_groups(name, near):
+    with pytest.raises(UsageError, match=f"no dataset and no group .* Did you mean '{near}'"):
+        expand_groups([name])
+
+
+def test_a_folder_is_no_misspelt_group(tmp_path, monkeypatch):
+    (tmp_path / "walks").mkdir()
+    monkeypatch.chdir(tmp_path)
+    assert expand_groups(["walks"]) == ["walks"]
 
 
 def test_a_dataset_is_found_by_its_id(tiny_dataset):

@@ -52,6 +52,8 @@ FAULTS = {
     "rising scores": (lambda: Match([0, 1], [1.0, 2.0]), "ValueError: the scores of a match must not increase"),
     "out of range": (lambda: Match([12], [1.0]), "reference 12 of a map of 12"),
     "too many": (lambda: Match(range(12), np.zeros(12)), "12 references where 3 were asked for"),
+    "too few": (lambda: Match([0], [1.0]), "1 reference where 3 were asked for. If it is meant to, its class has to"),
+    "none at all": (lambda: Match([], []), "no references where 3 were asked for"),
     "nothing": (lambda: None, "a NoneType instead of a Match"),
     "something else": (lambda: (np.arange(3), np.zeros(3)), "a tuple instead of a Match"),
     "hangs": (hang, "TimeoutError: no answer within 0.2 s"),
@@ -92,6 +94,15 @@ def test_a_fault_is_named_and_costs_only_the_query(case, store, built, fault):
     assert -healed.good == 3 + len(case.queries) - 5  # the warm-up, and all but what was kept
     assert stored.indices[:, 0].tolist() == list(range(len(case.queries)))
     assert stored.record.resumed
+
+
+@pytest.mark.parametrize("few", [Match([0], [1.0]), Match([], [])])
+def test_who_declares_why_may_answer_fewer(case, store, built, few):
+    class Picky(Faulty):
+        may_answer_fewer = "only what is alike is an answer"
+
+    stored = run(case, built(Picky(lambda: few)), store, RunOptions(k=3))
+    assert sorted((stored.indices >= 0).sum(axis=1).tolist())[0] == len(few)
 
 
 @pytest.mark.parametrize("error", [RuntimeError, TimeoutError, KeyError, SystemExit])

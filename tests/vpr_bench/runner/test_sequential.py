@@ -16,6 +16,7 @@ class Follower:
     """Answers with what it was shown since the last reset, as far as ``k`` goes; finds places by their colour."""
 
     sequential: ClassVar[bool] = True
+    may_answer_fewer: ClassVar[str] = "only what was shown is an answer"
 
     fail_at: int | None = None
     shown: list[int] = field(default_factory=list)

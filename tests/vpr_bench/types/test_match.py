@@ -44,9 +44,12 @@ def test_ranking_of_candidates_names_the_candidates():
     assert match.indices.tolist() == [4, 17]
 
 
-@pytest.mark.parametrize(("scores", "k"), [([0.5], 0), ([0.5, 0.4], -1), ([np.nan, 0.5], 1)])
-def test_ranking_refuses_what_cannot_be_ranked(scores, k):
-    with pytest.raises(ValueError, match="at least 1"):
+@pytest.mark.parametrize(
+    ("scores", "k", "said"),
+    [([0.5], 0, "at least 1"), ([0.5, 0.4], -1, "at least 1"), ([np.nan, 0.5], 1, "Got NaN for 1 of 2")],
+)
+def test_ranking_refuses_what_cannot_be_ranked(scores, k, said):
+    with pytest.raises(ValueError, match=said):
         Match.from_scores(scores, k)
 
 

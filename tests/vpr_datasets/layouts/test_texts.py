@@ -5,8 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vpr_bench.errors import DataError
+from vpr_bench.files.images import natural_key
 from vpr_datasets.layouts import texts
-from vpr_datasets.layouts.natural import natural_key
 from vpr_datasets.layouts.texts import parse_number, quoted, read_text
 
 

@@ -1,0 +1,43 @@
+"""How numbers between 0 and 1 are written."""
+
+import math
+
+UNDEFINED = "–"
+
+
+def share(value: float) -> str:
+    """Write a value with three decimals.
+
+    Examples
+    --------
+    >>> share(0.9054), share(float("nan")), share(-0.0001)
+    ('0.905', '–', '0.000')
+    """
+    return UNDEFINED if math.isnan(value) else f"{value:z.3f}"
+
+
+def short_share(value: float) -> str:
+    """Write a value with three decimals in as few marks as can be.
+
+    Examples
+    --------
+    >>> short_share(0.9054), short_share(1.0), short_share(-0.05)
+    ('.905', '1.00', '-.050')
+    """
+    text = share(value)
+    return text.replace("0.", ".", 1) if text.lstrip("-").startswith("0.") else text.removesuffix("0")
+
+
+def bounds(low: float, high: float) -> str:
+    """Write an interval; nothing if it is undefined.
+
+    Examples
+    --------
+    >>> bounds(0.861, 0.95), bounds(float("nan"), float("nan"))
+    ('.86–.95', '')
+    """
+    return "" if math.isnan(low) or math.isnan(high) else f"{_short(low)}–{_short(high)}"
+
+
+def _short(value: float) -> str:
+    return f"{value:z.2f}".removeprefix("0").replace("-0.", "-.")
