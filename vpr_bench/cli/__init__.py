@@ -16,6 +16,8 @@ def main() -> None:
     # OpenMP's threads wait for each other by spinning, for ever by default: with anything else running on one
     # of the cores a network becomes 50 times slower. This much is as fast on an idle machine.
     os.environ.setdefault("GOMP_SPINCOUNT", "10000")
+    # So do those of NumPy's BLAS, for tens of milliseconds after every product: 2 to the power of this many cycles.
+    os.environ.setdefault("OPENBLAS_THREAD_TIMEOUT", "4")
     # Looking for garbage among all that a network library has made would take a third of a second at the end.
     atexit.register(gc.freeze)
     try:

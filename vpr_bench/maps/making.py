@@ -16,13 +16,15 @@ from vpr_bench.cores import available_cores
 from vpr_bench.errors import UsageError, blaming
 from vpr_bench.files.disk import disk_errors
 from vpr_bench.files.lock import held
-from vpr_bench.files.swap import recover, swap_in
+from vpr_bench.files.swap import former_of, recover, swap_in
 from vpr_bench.maps.record import RECORD, STATE, Fitted, MapRecord, Part, write_record
 from vpr_bench.maps.state import describe_state
 from vpr_bench.method.interfaces import Method
 from vpr_bench.method.saving import save_fitted
 from vpr_bench.runner.machine import describe_machine
 from vpr_bench.runner.resources import limit_threads
+
+_STEPS = "fitting-"
 
 
 @contextmanager
@@ -38,7 +40,8 @@ def claimed(folder: Path) -> Iterator[Path]:
     """
     check_place(folder)
     with held(folder.with_name(f".{folder.name}.lock"), "Waiting for another process that makes the same map"):
-        recover(folder)
+        if (former_of(folder) / RECORD).is_file():  # else it is not ours to delete
+            recover(folder)
         check_place(folder)
         yield folder.with_name(folder.name + ".partial")
 
@@ -93,12 +96,12 @@ class Making:
         VprBenchError
             If the method fails.
         """
-        steps = partial / f"fitting-{self._digest()}"
+        steps = partial / f"{_STEPS}{self._digest()}"
         with disk_errors(partial):
             partial.mkdir(exist_ok=True)
-        for other in partial.iterdir():  # of another map that was to be here
+        for other in partial.glob(f"{_STEPS}*"):  # of another map that was to be here
             if other != steps:
-                shutil.rmtree(other) if other.is_dir() else other.unlink()
+                shutil.rmtree(other)
         threads, start = self.threads or available_cores(), time.perf_counter()
         failing = f"The method {self.fitted.id!r} failed while fitting"
         try:

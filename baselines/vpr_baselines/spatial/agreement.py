@@ -3,9 +3,9 @@
 from functools import cache
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
 
+from vpr_baselines.matrices import product
 from vpr_baselines.spatial.cells import Cells
 
 _REACH = 2  # cells to which a vote is smoothed, either way
@@ -44,9 +44,7 @@ def agreement(
         In [0, 1] but for rounding: 1 for an image compared with itself.
     """
     candidates, cells, dimensions = vectors.shape
-    with torch.inference_mode():
-        flat = torch.from_numpy(vectors.reshape(-1, dimensions))
-        similarity = torch.mm(torch.from_numpy(query.vectors), flat.T).numpy()
+    similarity = product(query.vectors, vectors.reshape(-1, dimensions).T)
     by_candidate = similarity.reshape(-1, candidates, cells)
     nearest = by_candidate.argmax(axis=2)
     found = np.take_along_axis(by_candidate, nearest[..., None], axis=2)[..., 0]

@@ -7,6 +7,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_baselines.matrices import product
 from vpr_baselines.retrieval import normalised
 
 _SMALLEST = 1e-6  # a deviation or variance below it is none
@@ -89,7 +90,7 @@ class CellEncoder:
         if len(cells) > self.keep:
             distances = np.einsum("md,md->m", cells, cells)
             positions = np.sort(np.argpartition(-distances, self.keep - 1)[: self.keep])
-        return Cells(normalised(normalised(cells[positions]) @ self.projection), positions)
+        return Cells(normalised(product(normalised(cells[positions]), self.projection)), positions)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return everything as named arrays, for :meth:`from_arrays`."""
@@ -97,15 +98,15 @@ class CellEncoder:
             "mean": self.mean,
             "deviation": self.deviation,
             "projection": self.projection,
-            "keep": np.array(self.keep),
+            "keep": np.array([self.keep]),
             "shape": np.array(self.shape),
         }
 
     @classmethod
     def from_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Self:
         """Read what :meth:`arrays` returned."""
-        height, width = arrays["shape"].tolist()
-        return cls(arrays["mean"], arrays["deviation"], arrays["projection"], int(arrays["keep"]), (height, width))
+        (keep,), (height, width) = arrays["keep"].tolist(), arrays["shape"].tolist()
+        return cls(arrays["mean"], arrays["deviation"], arrays["projection"], keep, (height, width))
 
 
 def to_bytes(vectors: NDArray[np.float32]) -> NDArray[np.int8]:

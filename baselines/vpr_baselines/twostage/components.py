@@ -33,12 +33,28 @@ class Answers:
     probabilities: NDArray[np.float32]
 
     @classmethod
-    def best(cls, component: int, members: NDArray[np.int64], logits: NDArray[np.float32], count: int) -> "Answers":
-        """Take the ``count`` best of one component's (m,) members by their (m,) logits, or all if there are fewer."""
+    def best(
+        cls, component: int, members: NDArray[np.int64], logits: NDArray[np.float32], count: int | None
+    ) -> "Answers":
+        """Take the ``count`` best of one component's (m,) members by their (m,) logits, or all there are."""
         chosen = np.argsort(-logits, kind="stable")[:count]
         exponentials = np.exp(logits - logits.max())
         probabilities = exponentials / exponentials.sum()
         return cls(members[chosen], np.full(len(chosen), component), logits[chosen], probabilities[chosen])
+
+    def most_likely(self, clusters: NDArray[np.float32], count: int) -> NDArray[np.int64]:
+        """Return the (at most ``count``) references of highest probability, best first.
+
+        Parameters
+        ----------
+        clusters : (C,) float32
+            Stage one's logits. The probability of a reference is that of its cluster among the triggered ones times
+            its own within the cluster.
+        count : int
+            How many.
+        """
+        likely = np.exp(clusters[self.components] - clusters[self.components].max()) * self.probabilities
+        return self.references[np.argsort(-likely, kind="stable")[:count]]
 
     @classmethod
     def join(cls, parts: Sequence["Answers"]) -> "Answers":
@@ -89,7 +105,7 @@ class Components:
         rows = self._rows(component)
         return LinearHead(np.asarray(self.head.weight[rows], np.float32), np.asarray(self.head.bias[rows], np.float32))
 
-    def answers(self, descriptor: NDArray[np.float32], triggered: NDArray[np.int64], best: int) -> Answers:
+    def answers(self, descriptor: NDArray[np.float32], triggered: NDArray[np.int64], best: int | None) -> Answers:
         """Let each triggered component name its ``best`` references.
 
         Parameters
@@ -98,8 +114,8 @@ class Components:
             The query's.
         triggered : (c,) int64
             Clusters, without repetition.
-        best : int
-            Answers per component; a smaller cluster gives all it has.
+        best : int, optional
+            Answers per component; a smaller cluster gives all it has, as do all by default.
         """
         return Answers.join(
             [

@@ -7,6 +7,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_baselines.matrices import product
 from vpr_baselines.photometry import resized
 from vpr_baselines.spatial.cells import Cells, to_bytes
 from vpr_baselines.twostage.augment import augmented
@@ -46,7 +47,7 @@ class Description:
 
     def cosines(self, descriptor: NDArray[np.float32], candidates: NDArray[np.int64]) -> NDArray[np.float32]:
         """Compare a query's (D,) descriptor with those of (K,) candidates: (K,) float32."""
-        return np.asarray(self.descriptors[candidates, 0].astype(np.float32) @ descriptor)
+        return product(self.descriptors[candidates, 0].astype(np.float32), descriptor)
 
     def followed_by(self, others: "Description") -> "Description":
         """Return both, one behind the other."""

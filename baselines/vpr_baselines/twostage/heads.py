@@ -5,6 +5,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_baselines.matrices import product
+
 
 @dataclass(frozen=True, eq=False)
 class LinearHead:
@@ -21,7 +23,7 @@ class LinearHead:
 
     def logits(self, descriptors: NDArray[np.float32]) -> NDArray[np.float32]:
         """Score a (D,) descriptor or (n, D) of them: (classes,) or (n, classes) float32."""
-        return descriptors @ self.weight.T + self.bias
+        return product(descriptors, self.weight.T) + self.bias
 
     def before(self, mean: NDArray[np.float32], scale: float) -> "LinearHead":
         """Return the layer that does to ``x`` what this one does to ``(x - mean) / scale``.

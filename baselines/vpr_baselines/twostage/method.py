@@ -35,7 +35,7 @@ AtLeastOne = Annotated[int, Field(ge=1)]
 Share = Annotated[float, Field(ge=0, le=1)]
 Side = Annotated[int, Field(ge=32, le=4000)]
 
-_CLUSTER_SIZE = 12  # chosen on day_left-day_right and the simulated walk, where 5 to 25 hardly differ
+_CLUSTER_SIZE = 8  # references; see docs/twostage.md for what it was chosen on
 _CANDIDATES = 21
 
 
@@ -54,7 +54,8 @@ class TwoStage:
     n_components : int
         How many of the best clusters trigger their component; more than there are triggers all.
     answers_per_component : int, optional
-        How many references each triggered component names; by default as many as make 21 candidates, 3 each of 7.
+        How many references each triggered component names, 3 in the thesis. By default the 21 that are most likely,
+        by their cluster's probability times their own in it, whichever components they are of.
     rerank : {"spatial", "cosine"}, optional
         Compare candidates by the displacement that most of their cells agree on, or by descriptors alone. By default
         ``spatial`` where parts share a trunk; separate networks know ``cosine`` only.
@@ -73,7 +74,7 @@ class TwoStage:
     threshold : float, optional
         For ``leader``, ``chain`` and ``focus``. None carries over from one dataset to another.
     n_clusters : int, optional
-        For ``count`` and ``kmeans``; by default one per 12 references.
+        For ``count`` and ``kmeans``; by default one per 8 references.
     labels : list of int, optional
         For ``labels``: the cluster of each reference.
     min_size, max_size : int, optional
@@ -209,9 +210,11 @@ class TwoStage:
         with stage("encode"):
             query = system.encode(image)
         with stage("match"):
-            triggered = np.argsort(-system.rank(query), kind="stable")[: self.n_components]
-            best = self.answers_per_component or -(-_CANDIDATES // len(triggered))
-            candidates = system.answers(query, triggered, best).references
+            logits = system.rank(query)
+            triggered = np.argsort(-logits, kind="stable")[: self.n_components]
+            answers = system.answers(query, triggered, self.answers_per_component)
+            by_share = self.answers_per_component is None
+            candidates = answers.most_likely(logits, _CANDIDATES) if by_share else answers.references
         with stage("rerank"):
             match = Match.from_scores(system.scores(query, candidates), k, candidates)
         everything = len(triggered) == len(system.clusters)

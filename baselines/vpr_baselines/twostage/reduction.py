@@ -7,6 +7,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_baselines.matrices import product
 from vpr_baselines.retrieval import normalised
 
 _FLATTEST = 1e-4  # of the largest variance; below it a direction is noise
@@ -54,8 +55,7 @@ class Reduction:
     def apply(self, pooled: NDArray[np.float32]) -> NDArray[np.float32]:
         """Turn (…, P · C) float32 pooled maps into (…, P · d) float32 descriptors of unit length."""
         parts = (pooled - self.mean).reshape(*pooled.shape[:-1], -1, len(self.projection))
-        projected: NDArray[np.float32] = parts @ self.projection
-        return normalised(projected.reshape(*pooled.shape[:-1], -1))
+        return normalised(product(parts, self.projection).reshape(*pooled.shape[:-1], -1))
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return everything as named arrays, for :meth:`from_arrays`."""

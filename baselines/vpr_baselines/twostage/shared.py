@@ -13,7 +13,7 @@ from vpr_baselines.twostage.description import Description
 from vpr_baselines.twostage.encoder import Encoder, Look
 from vpr_baselines.twostage.heads import LinearHead
 from vpr_baselines.twostage.report import TrainingReport
-from vpr_baselines.twostage.reranking import Rerank
+from vpr_baselines.twostage.reranking import Rerank, without_rival
 from vpr_baselines.twostage.system import Query
 from vpr_bench.errors import DataError, blaming
 from vpr_bench.types.clusters import Clusters
@@ -66,7 +66,7 @@ class SharedSystem:
         """Return stage one's (C,) logits of the clusters."""
         return self.stage_one.logits(query.descriptor)
 
-    def answers(self, query: Query, triggered: NDArray[np.int64], best: int) -> Answers:
+    def answers(self, query: Query, triggered: NDArray[np.int64], best: int | None) -> Answers:
         """Let each triggered component name its ``best`` references."""
         return self.components.answers(query.descriptor, triggered, best)
 
@@ -79,7 +79,7 @@ class SharedSystem:
 
     def scores(self, query: Query, candidates: NDArray[np.int64]) -> NDArray[np.float32]:
         """Return the confidence in each candidate, in (0, 1): (K,) float32."""
-        return self.confidence.of(self.similarities(query, candidates))
+        return self.confidence.of(without_rival(self.similarities(query, candidates), candidates))
 
     def save(self, folder: Path) -> None:
         """Write everything into an existing folder: what is large in files that can be memory-mapped."""
@@ -108,7 +108,8 @@ class SharedSystem:
             If files are missing or damaged, or do not belong together.
         """
         with blaming(f"The map in {folder} is damaged; fit it again", DataError):
-            learnt = load_file(folder / _LEARNT)
+            # Copies: torch takes no memory that it must not write to.
+            learnt = {name: np.array(array) for name, array in load_file(folder / _LEARNT).items()}
             names = ("descriptors", "cells", "positions", "components")
             large = {name: np.load(folder / f"{name}.npy", mmap_mode="r", allow_pickle=False) for name in names}
             clusters = Clusters(learnt["labels"])

@@ -47,7 +47,7 @@ class System(Protocol):
         """Return stage one's (C,) logits of the clusters."""
         ...
 
-    def answers(self, query: Query, triggered: NDArray[np.int64], best: int) -> Answers:
+    def answers(self, query: Query, triggered: NDArray[np.int64], best: int | None) -> Answers:
         """Let each triggered component name its ``best`` references."""
         ...
 

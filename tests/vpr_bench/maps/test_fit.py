@@ -113,6 +113,16 @@ def test_killed_while_an_older_map_is_replaced(tiny_map, references, place):
     assert names(place.parent) == [".tiny.map.lock", "tiny.map"]
 
 
+def test_somebody_elses_folders_beside_it_are_left_alone(references, place):
+    former, partial = (place.with_name(f"tiny.map.{what}") for what in ("former", "partial"))
+    for folder in (former, partial):
+        folder.mkdir()
+        (folder / "thesis.tex").write_text("years of work")
+    fit_map(build_method("colours"), references, place)
+    assert (former / "thesis.tex").exists()
+    assert (place / "thesis.tex").exists()
+
+
 def test_methods_that_cannot_save(references, place, colours):
     with pytest.raises(UsageError, match=r"'forgetful' cannot be kept on disk: it has no save\(folder\)"):
         fit_map(build_method("forgetful"), references, place)

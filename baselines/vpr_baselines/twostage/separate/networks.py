@@ -63,7 +63,7 @@ class SeparateNetworks:
         """Pass an image through one component: (m,) float32 logits of the cluster's members, in their order."""
         return self.components.part(component).logits(self._respond(component, image))
 
-    def answers(self, image: NDArray[np.uint8], triggered: NDArray[np.int64], best: int) -> Answers:
+    def answers(self, image: NDArray[np.uint8], triggered: NDArray[np.int64], best: int | None) -> Answers:
         """Let each triggered component, passed through one after the other, name its ``best`` references."""
         return Answers.join(
             [

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 from safetensors.numpy import load_file, save_file
 
+from vpr_baselines.matrices import product
 from vpr_baselines.retrieval import normalised
 from vpr_baselines.twostage.components import Answers
 from vpr_baselines.twostage.report import TrainingReport
@@ -50,13 +51,13 @@ class SeparateSystem:
         """Return stage one's (C,) logits of the clusters."""
         return self.networks.rank(query.descriptor)
 
-    def answers(self, query: Query, triggered: NDArray[np.int64], best: int) -> Answers:
+    def answers(self, query: Query, triggered: NDArray[np.int64], best: int | None) -> Answers:
         """Pass the image through each triggered component, which names its ``best`` references."""
         return self.networks.answers(query.image, triggered, best)
 
     def scores(self, query: Query, candidates: NDArray[np.int64]) -> NDArray[np.float32]:
         """Return the cosine similarity of the query to each candidate, in [-1, 1]: (K,) float32."""
-        return self.database[candidates] @ normalised(query.descriptor)
+        return product(self.database[candidates], normalised(query.descriptor))
 
     def save(self, folder: Path) -> None:
         """Write everything into an existing folder."""
