@@ -1,13 +1,9 @@
 """EfficientNet-Lite0's last map as a global descriptor: its weights come with the installation."""
 
 from dataclasses import dataclass
-from typing import Annotated, ClassVar
-
-from pydantic import Field
+from typing import ClassVar
 
 from vpr_baselines.backbones.architectures import Backbone
-from vpr_baselines.backbones.pooling import Pooling
-from vpr_baselines.backbones.trunk import Normalise
 from vpr_baselines.pooled import Pooled
 
 
@@ -23,29 +19,8 @@ class EfficientNetLite0(Pooled):
     generalised mean was the first choice, on Gardens Point alone, and its .785 on day_right-night_right is why grids
     and Nordland were looked at (the grid has .855).
 
-    Parameters
-    ----------
-    pooling : {"gem", "average", "grid1x3", "grid2x3"}
-        How the map becomes a vector: 1280 numbers, three or six times as many for the grids.
-    weights : str
-        ``imagenet``, the path of a checkpoint, or ``random``.
-    width, height : int
-        Input size in pixels.
-    normalise : {"grey+clahe", "none"}
-        Grey and locally equalised, or colours as they are.
-    centre : bool
-        Subtract the references' mean.
-    seed : int
-        Of random weights.
+    Its parameters are those of :class:`~vpr_baselines.pooled.Pooled`.
     """
 
     version: ClassVar[str] = "1"
     backbone: ClassVar[Backbone] = "efficientnet-lite0"
-
-    pooling: Pooling = "grid1x3"
-    weights: str = "imagenet"
-    width: Annotated[int, Field(ge=32)] = 416
-    height: Annotated[int, Field(ge=32)] = 256
-    normalise: Normalise = "grey+clahe"
-    centre: bool = True
-    seed: Annotated[int, Field(ge=0)] = 0

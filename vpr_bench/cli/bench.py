@@ -1,4 +1,4 @@
-"""``vpr-bench bench``: how fast the harness itself is."""
+"""``vpr-bench bench``: how fast the harness itself is, and how fast methods are beside each other."""
 
 import json
 from typing import Annotated
@@ -6,15 +6,21 @@ from typing import Annotated
 import typer
 
 from vpr_bench.cli.bars import progress_bars
+from vpr_bench.cli.bench_methods import METHODS_EXAMPLES, methods
 from vpr_bench.cli.console import write
-from vpr_bench.errors import UsageError
+from vpr_bench.cli.parameters import split_assignment
 
-app = typer.Typer(help="Measure the harness itself: time and memory.", no_args_is_help=True)
+app = typer.Typer(
+    help="Measure methods beside each other, and the harness itself: time and memory.", no_args_is_help=True
+)
 
 
 @app.callback()
 def _group() -> None:
     pass
+
+
+app.command("methods", epilog=METHODS_EXAMPLES)(methods)
 
 
 @app.command("pairs")
@@ -42,9 +48,7 @@ def streaming(
     """Measure memory and time of a whole run on long traverses, and print the facts as JSON."""
     from vpr_bench.bench.streaming import run
 
-    parameters = dict(assignment.split("=", 1) for assignment in param or [] if "=" in assignment)
-    if len(parameters) < len(param or []):
-        raise UsageError(f"A parameter is written name=value. Got {', '.join(param or [])} instead.")
+    parameters = dict(map(split_assignment, param or []))
     with progress_bars():
         write(json.dumps(run(dataset, method, parameters, frames, limit), indent=2))
 

@@ -71,7 +71,7 @@ def bootstrap(
     """
     names = list(names)
     values, samples = compute(names, answers), resampled(answers, names, resamples, seed)
-    return {name: _interval(values[name], samples[name], confidence) for name in names}
+    return {name: percentile_interval(values[name], samples[name], confidence) for name in names}
 
 
 def bootstrap_difference(
@@ -99,7 +99,7 @@ def bootstrap_difference(
     values = [compute(names, answers) for answers in (first, second)]
     samples = [resampled(answers, names, resamples, seed) for answers in (first, second)]
     return {
-        name: _interval(values[0][name] - values[1][name], samples[0][name] - samples[1][name], confidence)
+        name: percentile_interval(values[0][name] - values[1][name], samples[0][name] - samples[1][name], confidence)
         for name in names
     }
 
@@ -141,7 +141,14 @@ def _draws(n: int, resamples: int, seed: int) -> Iterator[NDArray[np.float64]]:
         yield weight
 
 
-def _interval(value: float, samples: NDArray[np.float64], confidence: float) -> Interval:
+def percentile_interval(value: float, samples: NDArray[np.float64], confidence: float = 0.95) -> Interval:
+    """Return a value with the interval that holds the middle of its (resamples,) float64 values, NaN left out.
+
+    Raises
+    ------
+    UsageError
+        If the confidence is not in (0, 1).
+    """
     if not 0 < confidence < 1:
         raise UsageError(f"The confidence must lie between 0 and 1. Got {confidence} instead.")
     defined = samples[~np.isnan(samples)]

@@ -136,7 +136,7 @@ class TwoStage:
     clustering: Kind = "count"
     cluster_by: Literal["trunk"] | ClusterBy = "trunk"
     distance: Distance = "cosine"
-    threshold: float | None = None
+    threshold: Annotated[float, Field(allow_inf_nan=False)] | None = None
     n_clusters: AtLeastOne | None = None
     labels: list[int] | None = None
     min_size: AtLeastOne = 1

@@ -240,8 +240,8 @@ def test_the_pre_trained_weights_are_in_the_result():
     [
         {"n_components": "0"},
         {"answers_per_component": "-1"},
-        {"similarity": "1.5"},
-        {"similarity": "nan"},
+        {"whitening": "1.5"},
+        {"threshold": "nan"},
         {"n_clusters": "0"},
         {"width": "31"},
         {"penalty": "0"},
