@@ -107,14 +107,15 @@ def measure(only: str | None, store: RunStore, *, stored_only: bool) -> int:
     """Run everything, or one part; return the exit code."""
     night: list[tuple[Variant, StoredRun]] = []
     usual: dict[str, StoredRun] = {}  # what ablations are compared with, by dataset
-    failed = 0
+    errors: dict[str, int] = {}
     for variant in [one for one in variants() if only in (None, one.part)]:
         say(f"{variant.part}: {variant.name}")
         try:
             stored = found(variant, store, stored_only=stored_only)
         except VprBenchError as error:
-            complain(str(error))
-            failed = max(failed, error.exit_code)
+            if str(error) not in errors:  # what is not here is missing for many
+                complain(str(error))
+            errors[str(error)] = error.exit_code
             continue
         if stored is None:
             continue
@@ -126,7 +127,7 @@ def measure(only: str | None, store: RunStore, *, stored_only: bool) -> int:
         write_lines("runs.csv", [line])
     sweep(night)
     write_page()
-    return failed
+    return max(errors.values(), default=0)
 
 
 def main() -> None:

@@ -24,6 +24,7 @@ from vpr_baselines.twostage.separate.system import SeparateSystem
 from vpr_baselines.twostage.shared import SharedSystem
 from vpr_baselines.twostage.system import System
 from vpr_bench.checkpoint import kept
+from vpr_bench.errors import UsageError
 from vpr_bench.shortlist import shortlist
 from vpr_bench.timing import stage
 from vpr_bench.types.clusters import Clusters
@@ -168,6 +169,8 @@ class TwoStage:
             raise ValueError(f"components='separate' knows {what}")
         if self.components == "shared" and self.finetune:
             raise ValueError("finetune=True needs components='separate': a shared trunk stays as it is")
+        if self.layer is not None:
+            ARCHITECTURES[self.backbone].cut_at(self.layer)
         self._options(1)
 
     def weights_digest(self) -> str:
@@ -189,12 +192,15 @@ class TwoStage:
         ------
         DataError
             If an image cannot be decoded, or the weights are missing or damaged.
-        ValueError
-            If the references cannot be clustered as the parameters ask for.
+        UsageError
+            If there are no references, or they cannot be clustered as the parameters ask for.
         """
+        if not len(references):
+            raise UsageError("There are no references to fit.")
         self.system_: System
         if self.components == "separate":
-            clusters = Clusters(kept("clusters", lambda: {"labels": self.cluster(references).labels})["labels"])
+            labels = kept("clusters", lambda: {"labels": self._clustered(references, None).labels})["labels"]
+            clusters = Clusters(labels)
             self.system_ = fit_separate(
                 references, clusters, self._body, self.penalty, self.seed, self.epochs if self.finetune else None
             )
@@ -232,7 +238,7 @@ class TwoStage:
         ------
         NotImplementedError
             If every part has a network of its own.
-        ValueError
+        UsageError
             If labels were given: there are none for the new references.
         """
         if not isinstance(self.system_, SharedSystem):
@@ -240,7 +246,7 @@ class TwoStage:
                 "components='separate' cannot be extended: all of stage one would be trained again"
             )
         if self.clustering == "labels":
-            raise ValueError("a map that was clustered by given labels cannot be extended; fit all references again")
+            raise UsageError("A map that was clustered by given labels cannot be extended: fit all references again.")
         self.system_ = extend_shared(self.system_, references, self._clustered, self.penalty, self.seed)
 
     def cluster(self, references: Traverse) -> Clusters:
@@ -293,11 +299,13 @@ class TwoStage:
     def _encoder(self, references: Traverse) -> Encoder:
         return Encoder.learn(self._look, references, self.dimensions, self.cell_dimensions, self.cells, self.whitening)
 
-    def _clustered(self, references: Traverse, originals: NDArray[np.float32]) -> Clusters:
-        """Cluster references whose descriptors by the trunk are known already."""
-        return self.cluster_described(
-            originals if self.cluster_by == "trunk" else self.describe_for_clusters(references)
-        )
+    def _clustered(self, references: Traverse, originals: NDArray[np.float32] | None) -> Clusters:
+        """Cluster references whose descriptors by the trunk may be known already."""
+        known = originals if self.cluster_by == "trunk" else None
+        try:
+            return self.cluster_described(self.describe_for_clusters(references) if known is None else known)
+        except ValueError as error:
+            raise UsageError(f"{len(references)} references cannot be clustered so: {error}") from error
 
     def _options(self, references: int) -> ClusteringOptions:
         count = self.n_clusters

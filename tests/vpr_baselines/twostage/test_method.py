@@ -7,7 +7,7 @@ from vpr_baselines.twostage.method import TwoStage
 from vpr_bench.checkpoint import checkpoints
 from vpr_bench.dataset.card import Card
 from vpr_bench.dataset.load import load_traverse
-from vpr_bench.errors import DataError
+from vpr_bench.errors import DataError, UsageError
 from vpr_bench.method.build import build_method
 from vpr_bench.method.interfaces import Augmenting, Clustering, Extendable, Method, Persistent, Weighted
 from vpr_bench.shortlist import collect_shortlists
@@ -192,8 +192,18 @@ def test_a_map_grows_and_keeps_what_it_knew(fitted, walks, tmp_path):
     assert answers(with_triggers(grown, 99).load(tmp_path), walks["day_right"]) == answers(grown, walks["day_right"])
 
 
+def test_references_that_cannot_be_clustered_as_asked_for_are_the_user_s_to_mend(walks):
+    for references, said in (
+        (walks["day_left"][:3], "labels must be one per reference, 3. Got 2"),
+        ([], "no references"),
+    ):
+        method = TwoStage(**SMALL, clustering="labels", labels=[0, 1])
+        with pytest.raises(UsageError, match=said):
+            method.fit(Traverse("map", list(references)))
+
+
 def test_maps_that_cannot_grow_say_why(walks):
-    with pytest.raises(ValueError, match="given labels"):
+    with pytest.raises(UsageError, match="given labels"):
         fit(walks["day_left"][:2], clustering="labels", labels=[0, 1]).extend(walks["day_right"])
 
 
@@ -240,7 +250,7 @@ def test_other_trunks_whole_and_cut_short(walks, backbone):
         method = fit(walks["day_left"][:4], backbone=backbone, weights="random", layer=layer, pooling="gem")
         assert [method.match(image, 1).indices[0] for image in walks["day_left"][:4]] == [0, 1, 2, 3]
     with pytest.raises(ValueError, match=f"{last}, .*Got 'layer9'"):
-        fit(walks["day_left"][:2], backbone=backbone, weights="random", layer="layer9")
+        TwoStage(backbone=backbone, weights="random", layer="layer9")
 
 
 def test_the_thesis_s_system_has_networks_of_its_own_for_every_part(walks, tmp_path):
