@@ -1,6 +1,11 @@
 """What all tests share: folders of their own, a tiny dataset, and the real images where this machine has them."""
 
 import os
+
+# One thread: more are no faster on small images, and stand in each other's way on a busy machine. Set before
+# anything that computes is imported, NumPy included.
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+
 import shutil
 import sys
 import types
@@ -19,10 +24,6 @@ from vpr_bench.dataset.content import traverse_digest
 from vpr_bench.dataset.editions import find_images
 from vpr_bench.registry import Entry
 from vpr_bench.types.traverse import Traverse
-
-# One thread: more are no faster on small images, and stand in each other's way on a busy machine. Set before
-# anything that computes is imported.
-os.environ.setdefault("OMP_NUM_THREADS", "1")
 
 settings.register_profile("tests", deadline=None)
 settings.load_profile("tests")

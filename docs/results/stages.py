@@ -107,7 +107,7 @@ def _matches(axes: Axes, system: SharedSystem, cells: Cells, best: int) -> None:
             width=0.004,
         )
     axes.set(xlim=(-1, columns), ylim=(local.shape[0], -1), aspect="equal", facecolor=PALE, xticks=[], yticks=[])
-    axes.set_title(f"matched cells: {agree.sum()} of {len(agree)} agree on one displacement", fontsize=10, loc="left")
+    axes.set_title(f"{agree.sum()} of {len(agree)} matched cells agree", fontsize=10, loc="left")
 
 
 if __name__ == "__main__":
