@@ -43,4 +43,4 @@ def with_bounds(line: Line, name: str) -> str:
 def signed(line: Line, name: str) -> str:
     """Write a difference of a line with its 95 % interval."""
     value, low, high = (float(line[f"{name}{end}"]) for end in ("", "_low", "_high"))
-    return f"{value:+.3f} ({low:+.3f} to {high:+.3f})"
+    return f"{value:+z.3f} ({low:+z.3f} to {high:+z.3f})"

@@ -111,6 +111,8 @@ def _matches(axes: Axes, system: SharedSystem, cells: Cells, best: int) -> None:
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit("Usage: python docs/results/stages.py MAP")
     fitted = TwoStage()
     fitted.load(Path(sys.argv[1]) / "state")
     draw(fitted, HERE / "stages.png")
