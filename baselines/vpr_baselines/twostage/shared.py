@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from safetensors.numpy import load_file, save_file
+from safetensors.numpy import load_file, save
 
 from vpr_baselines.twostage.components import Answers, Components
 from vpr_baselines.twostage.confidence import Confidence
@@ -92,7 +92,8 @@ class SharedSystem:
             "confidence": np.array([self.confidence.slope, self.confidence.offset]),
         }
         # safetensors writes an array's memory as it lies there, column by column for some.
-        save_file({name: np.ascontiguousarray(array) for name, array in arrays.items()}, folder / _LEARNT)
+        tensors = {name: np.ascontiguousarray(array) for name, array in arrays.items()}
+        (folder / _LEARNT).write_bytes(save(tensors))  # its own save_file leaves files that others cannot read
         large = {**self.description.arrays(), "components": self.components.head.weight}
         for name, array in large.items():
             np.save(folder / f"{name}.npy", array, allow_pickle=False)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from safetensors.numpy import load_file, save_file
+from safetensors.numpy import load_file, save
 
 from vpr_baselines.twostage.components import Answers, Components
 from vpr_baselines.twostage.heads import LinearHead
@@ -81,7 +81,7 @@ class SeparateNetworks:
             "components.bias": self.components.head.bias,
         }
         with replacing(folder / _HEADS) as temporary:
-            save_file({name: np.ascontiguousarray(array) for name, array in arrays.items()}, temporary)
+            temporary.write_bytes(save({name: np.ascontiguousarray(array) for name, array in arrays.items()}))
         if self.tuned is not None:
             self.tuned.copy(folder / _TUNED)
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from safetensors.numpy import load_file, save_file
+from safetensors.numpy import load_file, save
 
 from vpr_baselines.matrices import product
 from vpr_baselines.retrieval import normalised
@@ -61,7 +61,7 @@ class SeparateSystem:
 
     def save(self, folder: Path) -> None:
         """Write everything into an existing folder."""
-        save_file({"database": self.database, "labels": self.clusters.labels}, folder / _DATABASE)
+        (folder / _DATABASE).write_bytes(save({"database": self.database, "labels": self.clusters.labels}))
         (folder / _REPORT).write_text(self.report.model_dump_json(), "utf-8")
         self.networks.save(folder)
 
