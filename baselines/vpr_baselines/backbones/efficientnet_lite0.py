@@ -51,10 +51,10 @@ class EfficientNetLite0(nn.Module):
         (B, 112, ceil(H / 16), ceil(W / 16)), of any sign, and ``head`` (B, 1280, ceil(H / 32), ceil(W / 32)) in
         [0, 6].
         """
-        yield "stem", lambda x: functional.relu6(self._bn0(self._conv_stem(x)))
+        yield "stem", lambda x: _relu6(self._bn0(self._conv_stem(x)))
         for number, block in enumerate(self._blocks):
             yield f"block{number}", block
-        yield "head", lambda x: functional.relu6(self._bn1(self._conv_head(x)))
+        yield "head", lambda x: _relu6(self._bn1(self._conv_head(x)))
 
     def forward(self, images: Tensor) -> Tensor:
         """Classify (B, 3, H, W) images: (B, classes) logits."""
@@ -64,6 +64,11 @@ class EfficientNetLite0(nn.Module):
 
 MEAN, STD = 0.498, 0.502
 """Per-channel normalisation of RGB in [0, 1], the same for the three channels."""
+
+
+def _relu6(fresh: Tensor) -> Tensor:
+    """Clip a tensor that nobody else holds, in place: a large map more would push others out of the cache."""
+    return functional.relu6(fresh, inplace=True)
 
 
 class _SameConv2d(nn.Conv2d):
@@ -101,7 +106,7 @@ class _Block(nn.Module):
         self._bn2 = nn.BatchNorm2d(outputs, eps=_EPSILON)
 
     def forward(self, x: Tensor) -> Tensor:
-        y: Tensor = functional.relu6(self._bn0(self._expand_conv(x))) if self.expands else x
-        y = functional.relu6(self._bn1(self._depthwise_conv(y)))
+        y: Tensor = _relu6(self._bn0(self._expand_conv(x))) if self.expands else x
+        y = _relu6(self._bn1(self._depthwise_conv(y)))
         y = self._bn2(self._project_conv(y))
-        return x + y if self.residual else y
+        return y.add_(x) if self.residual else y

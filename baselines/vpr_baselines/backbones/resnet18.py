@@ -76,7 +76,9 @@ class ResNet18(nn.Module):
         return cast(Tensor, self.fc(x.mean(dim=(2, 3)) if self.pool else x.flatten(1)))
 
     def _stem(self, images: Tensor) -> Tensor:
-        return functional.max_pool2d(functional.relu(self.bn1(self.conv1(images))), 3, stride=2, padding=1)
+        return functional.max_pool2d(
+            functional.relu(self.bn1(self.conv1(images)), inplace=True), 3, stride=2, padding=1
+        )
 
 
 MEAN, STD = (0.485, 0.456, 0.406), (0.229, 0.224, 0.225)
@@ -104,6 +106,7 @@ class _BasicBlock(nn.Module):
             self.downsample = nn.Sequential(nn.Conv2d(inputs, outputs, 1, stride, bias=False), nn.BatchNorm2d(outputs))
 
     def forward(self, x: Tensor) -> Tensor:
-        y = functional.relu(self.bn1(self.conv1(x)))
+        # In place, as nobody else holds these maps: one more would push others out of the cache.
+        y = functional.relu(self.bn1(self.conv1(x)), inplace=True)
         y = self.bn2(self.conv2(y))
-        return functional.relu(y + self.downsample(x))
+        return functional.relu(y.add_(self.downsample(x)), inplace=True)
