@@ -24,8 +24,10 @@ def main() -> None:
 
         with notes_on_stderr():
             code = app(prog_name="vpr-bench", standalone_mode=False)
+        if code == INTERRUPTED:
+            _fail("interrupted; give the same command again to go on", INTERRUPTED)
     except KeyboardInterrupt:
-        _fail("interrupted", INTERRUPTED)
+        _fail("interrupted; give the same command again to go on", INTERRUPTED)
     except VprBenchError as error:
         _fail(str(error), error.exit_code)
     except OSError as error:

@@ -80,7 +80,6 @@ def locate(
             with limit_threads(threads or available_cores()):
                 answers += asked.locate_each(_readable(photos, failures), wanted)
         except KeyboardInterrupt:
-            complain("interrupted")
             failures.append(INTERRUPTED)
         except VprBenchError as error:
             complain(str(error))

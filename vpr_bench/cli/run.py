@@ -130,7 +130,6 @@ def run(
                     complain(str(error))
                     failures.append(error.exit_code)
     except KeyboardInterrupt:
-        complain("interrupted; answers so far are kept, and the same command goes on from there")
         failures.append(INTERRUPTED)
     print_rows(rows, form)
     if failures:
