@@ -183,10 +183,10 @@ def test_progress_is_told(monkeypatch):
     assert 0 < bars["Training stage one"][1] <= bars["Training stage one"][0]
 
 
-def test_answering_needs_neither_torch_nor_scikit_learn():
+def test_answering_needs_no_scikit_learn():
     code = (
-        "import sys; import vpr_baselines.twostage.components, vpr_baselines.twostage.report; "
-        "print([name for name in ('torch', 'sklearn') if name in sys.modules])"
+        "import sys; import vpr_baselines.twostage.method; "
+        "print([name for name in ('scipy', 'sklearn') if name in sys.modules])"
     )
     found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
     assert found.strip() == "[]"
