@@ -15,3 +15,12 @@ def test_collections_are_as_they_were_afterwards(enabled):
         assert gc.isenabled() is enabled
     finally:
         gc.enable()
+
+
+def test_what_was_made_inside_is_never_looked_through_again():
+    with no_collections():
+        kept = [[number] for number in range(1000)]
+    try:
+        assert gc.get_freeze_count() > len(kept)
+    finally:
+        gc.unfreeze()
