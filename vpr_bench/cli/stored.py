@@ -1,6 +1,5 @@
 """``vpr-bench show`` and ``vpr-bench score``: what stored runs say, and what they would say otherwise."""
 
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -58,9 +57,10 @@ def show(
     """Show stored runs: a table of all, or everything about the named ones."""
     from vpr_bench.report.losses import losses_grid
     from vpr_bench.report.rows import HEADLINE
+    from vpr_bench.runner.select import select_runs
 
     _check_pictures(plot_stages)
-    runs = _select(run, output)
+    runs = select_runs(run, output)
     rows, failed = _score(runs, Scoring(check_metrics(None, HEADLINE), None, None, 0))
     print_rows(rows, form)
     if run and form == "table":
@@ -94,6 +94,7 @@ def score(
     Several radii make tables of each metric against the radius.
     """
     from vpr_bench.metrics.definitions import METRICS
+    from vpr_bench.runner.select import select_runs
 
     _check_pictures(plot, plot_stages)
     radii = parse_radii(radius)
@@ -102,7 +103,7 @@ def score(
         raise UsageError("--plot draws metrics against the radius: give several, such as --radius 0..10.")
     drawn = check_metrics(metric, _DRAWN)
     scoring = Scoring(check_metrics(metric, list(METRICS)), radii, unmatched, bootstrap)
-    rows, failed = _score(_select(run, output), scoring)
+    rows, failed = _score(select_runs(run, output), scoring)
     (print_sweep if swept else print_rows)(rows, form)
     if plot is not None and rows:
         from vpr_bench.report.radius_curve import draw_radius_curve
@@ -140,27 +141,3 @@ def _score(runs: list["StoredRun"], scoring: Scoring) -> tuple[list["Row"], int]
             complain(str(error))
             failed = max(failed, error.exit_code)
     return rows, failed
-
-
-def _select(names: list[str] | None, output: Path) -> list["StoredRun"]:
-    from vpr_bench.runner.store import RunStore, StoredRun
-
-    if not names:
-        runs = RunStore(output).runs()
-        if not runs:
-            raise DataError(f"There are no runs under {output}. Make one with `vpr-bench run`, or give --output.")
-        return runs
-    selected = []
-    for name in names:
-        if (Path(name) / "run.json").exists():
-            selected.append(StoredRun.open(Path(name)))
-            continue
-        if not re.fullmatch("[0-9a-f]+", name):
-            raise UsageError(f"{name!r} is neither a run's folder nor the beginning of a run's hash.")
-        found = sorted(output.glob(f"*/*/*/{name}*/run.json"))
-        found = [record for record in found if "." not in record.parent.name]
-        if len(found) != 1:
-            problem = f"{len(found)} runs begin with" if found else "no run begins with"
-            raise UsageError(f"Under {output} {problem} {name!r}. `vpr-bench show` lists them.")
-        selected.append(StoredRun.open(found[0].parent))
-    return selected

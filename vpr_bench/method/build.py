@@ -15,7 +15,7 @@ from vpr_bench.method.nested import build_inner, nested_parameters, take_apart
 from vpr_bench.method.presets import preset_parameters
 from vpr_bench.method.trust import check_trusted
 from vpr_bench.method.version import version_of
-from vpr_bench.registry import Entry, Registry
+from vpr_bench.registry import NOT_INSTALLED, Entry, Registry
 
 METHODS: Registry[type[Method]] = Registry("vpr_bench.methods", "method")
 
@@ -54,6 +54,8 @@ class BuiltMethod:
         left out, and a method inside is always named.
     method : Method
         Not fitted yet.
+    origin : str
+        The distribution that brings it, with its version; ``not installed`` for what comes from none.
     """
 
     id: str
@@ -62,6 +64,7 @@ class BuiltMethod:
     weights: str | None
     label: str
     method: Method
+    origin: str = NOT_INSTALLED
 
     def as_parameter(self) -> dict[str, Any]:
         """Return what stands in the result of a method that this one is a parameter of; it is built again from it."""
@@ -119,7 +122,7 @@ def build_method(name: str, parameters: Mapping[str, Any] | None = None, seed: i
     told = {key: value for key, value in told.items() if key in inner or (key != "seed" and value != expected[key])}
     changed = [one_line(f"{key}={value}") for key, value in told.items()]
     label = f"{called}({', '.join(changed)})" if changed else called
-    return BuiltMethod(called, version_of(entry, factory), values, weights, label, method)
+    return BuiltMethod(called, version_of(entry, factory), values, weights, label, method, entry.origin)
 
 
 def method_parameters(name: str) -> list[str]:

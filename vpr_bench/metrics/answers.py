@@ -66,6 +66,8 @@ class Answers:
         How many answers per query are known; a recall@K deeper than that cannot be.
     weight : (..., n) float64
         How often each query counts; ones unless resampled. Whole numbers, so that sums are exact.
+    queries : (n,) int64
+        Which query each row is about, in the numbering of the query traverse; 0 to n - 1 unless given.
 
     Examples
     --------
@@ -83,6 +85,7 @@ class Answers:
     unmatched: Unmatched = "exclude"
     depth: int = NEVER
     weight: NDArray[np.float64] = field(default_factory=lambda: np.ones(()))
+    queries: NDArray[np.int64] = field(default_factory=lambda: np.zeros((), np.int64))
 
     def __post_init__(self) -> None:
         """Check that the columns belong together, and give every query the weight 1 if none is given."""
@@ -98,6 +101,10 @@ class Answers:
             object.__setattr__(self, "weight", np.ones(shape))
         if self.weight.shape[-1:] != shape:
             raise ValueError(f"weight must have shape (..., {shape[0]}). Got {self.weight.shape} instead.")
+        if self.queries.ndim == 0:
+            object.__setattr__(self, "queries", np.arange(*shape, dtype=np.int64))
+        if self.queries.shape != shape:
+            raise ValueError(f"queries must have shape {shape}. Got {self.queries.shape} instead.")
 
     @classmethod
     def from_matches(
@@ -106,6 +113,7 @@ class Answers:
         scores: NDArray[np.floating],
         ground_truth: GroundTruth,
         unmatched: Unmatched = "exclude",
+        queries: NDArray[np.int64] | None = None,
     ) -> "Answers":
         """Judge the stored matches of a run.
 
@@ -119,6 +127,8 @@ class Answers:
             Of the same queries.
         unmatched : {"exclude", "miss", "reject"}
             Policy for queries without a true match.
+        queries : (n_queries,) int64, optional
+            Which they are, in the numbering of the query traverse; by default the first.
 
         Raises
         ------
@@ -150,6 +160,7 @@ class Answers:
             rank=np.where(hits.any(axis=1), hits.argmax(axis=1), NEVER),
             unmatched=unmatched,
             depth=int(known),
+            queries=np.arange(n) if queries is None else queries,
         )
         return answers.take(np.flatnonzero(answers.has_match)) if unmatched == "exclude" else answers
 
@@ -166,6 +177,7 @@ class Answers:
             has_match=self.has_match[queries],
             rank=self.rank[queries],
             weight=self.weight[..., queries],
+            queries=self.queries[queries],
         )
 
     @property

@@ -90,11 +90,9 @@ def bootstrap_difference(
     Raises
     ------
     ValueError
-        If the two do not have as many queries, with and without a match, or differ in policy. That they are the
-        same queries is the caller's to know.
+        If the two are not about the same queries, with and without a match, or differ in policy.
     """
-    if first.unmatched != second.unmatched or not np.array_equal(first.has_match, second.has_match):
-        raise ValueError("a paired comparison needs two runs on the same queries under the same policy")
+    check_paired(first, second)
     names = list(names)
     values = [compute(names, answers) for answers in (first, second)]
     samples = [resampled(answers, names, resamples, seed) for answers in (first, second)]
@@ -102,6 +100,19 @@ def bootstrap_difference(
         name: percentile_interval(values[0][name] - values[1][name], samples[0][name] - samples[1][name], confidence)
         for name in names
     }
+
+
+def check_paired(first: Answers, second: Answers) -> None:
+    """Refuse two runs that cannot be compared query by query.
+
+    Raises
+    ------
+    ValueError
+        If the two are not about the same queries, with and without a match, or differ in policy.
+    """
+    columns = ((first.queries, second.queries), (first.has_match, second.has_match))
+    if first.unmatched != second.unmatched or not all(np.array_equal(*pair) for pair in columns):
+        raise ValueError("a paired comparison needs two runs on the same queries under the same policy")
 
 
 def resampled(

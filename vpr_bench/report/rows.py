@@ -121,12 +121,21 @@ def score_run(
     values = evaluate(metrics, run.indices, run.scores, truth, protocol.unmatched)
     intervals = {}
     if resamples:
-        answers = Answers.from_matches(run.indices, run.scores, truth, protocol.unmatched)
-        found = bootstrap(answers, metrics, resamples)
+        found = bootstrap(answers_of(run, protocol), metrics, resamples)
         intervals = {name: (interval.low, interval.high) for name, interval in found.items()}
     record = run.record
     steps = losses(run.survivors, run.indices, run.scores, truth, protocol.unmatched, resamples)
     return Row(record.label, protocol, record.partial, values, intervals, latency(run.seconds), run, steps)
+
+
+def answers_of(run: StoredRun, protocol: Protocol | None = None) -> Answers:
+    """Judge what a run answered, query by query: what metrics, comparisons and the gate are made of.
+
+    Parameters and errors are those of :func:`score_run`.
+    """
+    protocol = protocol or run.protocol
+    truth = run.places.ground_truth(protocol)
+    return Answers.from_matches(run.indices, run.scores, truth, protocol.unmatched, run.queries)
 
 
 def _step(step: Step) -> dict[str, Any]:

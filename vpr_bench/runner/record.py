@@ -10,9 +10,9 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from vpr_bench.errors import DamagedError, DataError, UsageError, first_fault
 from vpr_bench.files.disk import disk_errors
 from vpr_bench.runner.machine import Machine
+from vpr_bench.runner.migrations import SCHEMA_VERSION, migrated
+from vpr_bench.runner.provenance import Provenance
 from vpr_bench.types.protocol import Protocol
-
-SCHEMA_VERSION = 1
 
 
 class RunKey(BaseModel):
@@ -69,6 +69,12 @@ class RunRecord(BaseModel):
     peak_memory : dict
         Largest resident memory in bytes while fitting and while matching, of the whole process: libraries, and what
         earlier runs in it left behind, count too.
+    machine : Machine
+        What it ran on.
+    provenance : Provenance
+        How it came about.
+    created : str
+        UTC time at which it was complete, ISO 8601.
     files : dict
         ``sha256:…`` of each array file beside it.
     """
@@ -89,6 +95,7 @@ class RunRecord(BaseModel):
     fit_seconds: float
     peak_memory: dict[str, int]
     machine: Machine
+    provenance: Provenance = Provenance()
     created: str
     files: dict[str, str]
 
@@ -111,10 +118,12 @@ def read_record(path: Path) -> RunRecord:
     except ValueError as error:
         raise DamagedError(f"{path} is damaged: {error}.") from None
     found = content.get("schema_version") if isinstance(content, dict) else None
-    if isinstance(found, int) and found != SCHEMA_VERSION:
-        raise DataError(f"{path} has schema version {found}; this vpr-bench reads {SCHEMA_VERSION}.")
+    if isinstance(found, int) and not 1 <= found <= SCHEMA_VERSION:
+        raise DataError(
+            f"{path} has schema version {found}; this vpr-bench reads 1 to {SCHEMA_VERSION}. Update vpr-bench."
+        )
     try:
-        record = RunRecord.model_validate(content)
+        record = RunRecord.model_validate(migrated(content) if isinstance(found, int) else content)
         Protocol.parse(record.protocol)
     except ValidationError as error:
         raise DamagedError(f"{path} is damaged: {first_fault(error)}.") from None

@@ -1,7 +1,8 @@
-"""How many threads numerical libraries may use, and how much memory a phase takes at its peak."""
+"""How many threads numerical libraries may use, what memory a phase takes, and what else the machine does meanwhile."""
 
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import TracebackType
@@ -71,3 +72,42 @@ class PeakMemory:
 
     def _look(self) -> None:
         self.bytes = max(self.bytes, self._process.memory_info().rss)
+
+
+class Elsewhere:
+    """What other processes take of the machine's processor time inside a ``with`` block.
+
+    Attributes
+    ----------
+    share : float
+        Of all cores' time, in [0, 1]; known when the block has ended.
+    """
+
+    def __init__(self) -> None:
+        self.share = 0.0
+        self._before = (0.0, 0.0, 0.0)
+
+    def __enter__(self) -> Self:
+        """Start to count."""
+        self._before = _clocks()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """Take the difference."""
+        wall, busy, own = (after - before for after, before in zip(_clocks(), self._before, strict=True))
+        self.share = min(1.0, max(0.0, busy - own) / wall) if wall > 0 else 0.0
+
+
+def _clocks() -> tuple[float, float, float]:
+    """Return the seconds gone by times the cores, those in which a core was busy, and those of this process."""
+    import psutil
+
+    machine, own = psutil.cpu_times(), psutil.Process().cpu_times()
+    waiting = machine.idle + getattr(machine, "iowait", 0.0)
+    # Virtual machines count guests twice: in their own column, and as the user's.
+    total = sum(machine) - getattr(machine, "guest", 0.0) - getattr(machine, "guest_nice", 0.0)
+    cores = psutil.cpu_count() or 1
+    ours = own.user + own.system + own.children_user + own.children_system
+    return time.perf_counter() * cores, total - waiting, ours
