@@ -46,15 +46,7 @@ class Pooled(Centred):
     seed: Annotated[int, Field(ge=0)] = 0
 
     def weights_digest(self) -> str:
-        """Name the weights by training set and SHA-256.
-
-        Raises
-        ------
-        UsageError
-            If ``weights`` means nothing.
-        DataError
-            If they are missing or damaged; says how to get them.
-        """
+        """Name the weights by training set and SHA-256; it raises what :func:`choose_weights` raises."""
         return choose_weights(self.backbone, self.weights, self.seed).identity()
 
     def fit(self, references: Traverse) -> None:
