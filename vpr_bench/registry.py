@@ -77,19 +77,28 @@ class Registry(Generic[T]):
         Entry-point group, for example ``vpr_bench.methods``.
     noun : str
         What one of them is called in messages.
+    kind : type, optional
+        What a plug-in must be an instance of; where it has an ``id``, that must be its name.
     find : callable, optional
         Where entry points come from; the installed packages by default.
     """
 
-    def __init__(self, group: str, noun: str, find: Callable[..., Iterable[EntryPoint]] | None = None) -> None:
+    def __init__(
+        self,
+        group: str,
+        noun: str,
+        kind: type[T] | None = None,
+        find: Callable[..., Iterable[EntryPoint]] | None = None,
+    ) -> None:
         self.group = group
         self.noun = noun
-        self._find = find or entry_points
+        self.kind = kind
+        self._entry_points = find or entry_points
 
     @cached_property
     def _found(self) -> dict[str, list[Entry]]:
         found: dict[str, list[Entry]] = {}
-        for point in self._find(group=self.group):
+        for point in self._entry_points(group=self.group):
             origin = f"{point.dist.name} {point.dist.version}" if point.dist else "unknown package"
             entry = Entry(point.name, f"{point.module}:{point.attr}", origin)
             same_name = found.setdefault(point.name, [])
@@ -130,15 +139,38 @@ class Registry(Generic[T]):
             return Entry(name, name, NOT_INSTALLED)
         raise UsageError(f"There is no {self.noun} {name!r}. {closest(name, self._found)}")
 
-    def load_all(self, check: Callable[[Any], T]) -> dict[str, T]:
-        """Load every plug-in; one that fails to load or to pass ``check`` becomes one warning."""
+    def find(self, name: str) -> T:
+        """Load one plug-in by its name.
+
+        Raises
+        ------
+        UsageError
+            If there is none of that name (the closest one is suggested), it cannot be imported, or it is not what it
+            should be.
+        """
+        return self._loaded(self.entry(name))
+
+    def load_all(self) -> dict[str, T]:
+        """Load every plug-in; one that fails to load, or is not what it should be, becomes one warning."""
         loaded = {}
         for entry in self.entries():
             try:
-                loaded[entry.name] = check(entry.load())
+                loaded[entry.name] = self._loaded(entry)
             except Exception as error:
                 warnings.warn(f"Left out {self.noun} {entry.name!r}: {error}", PluginWarning, stacklevel=2)
         return loaded
+
+    def _loaded(self, entry: Entry) -> T:
+        found: T = entry.load()
+        if self.kind is not None and not isinstance(found, self.kind):
+            expected = f"{self.kind.__module__}.{self.kind.__qualname__}"
+            raise UsageError(
+                f"The {self.noun} {entry.name!r} must be a {expected}. Got {type(found).__name__} instead."
+            )
+        own = getattr(found, "id", entry.name)
+        if own != entry.name:
+            raise UsageError(f"The {self.noun} {entry.name!r} has the id {own!r}: both must be the same.")
+        return found
 
     def _duplicate(self, name: str, claims: list[Entry]) -> str:
         owners = " and ".join(entry.origin for entry in claims)

@@ -15,12 +15,12 @@ def point(name, value, package="ours", version="1.0"):
     return found
 
 
-def registry(*points):
+def registry(*points, kind=None):
     def find(group):
         assert group == "vpr_bench.methods"
         return points
 
-    return Registry("vpr_bench.methods", "method", find)
+    return Registry("vpr_bench.methods", "method", kind, find)
 
 
 @pytest.fixture
@@ -38,10 +38,6 @@ def plugin(tmp_path, monkeypatch):
     yield write
     for name in set(sys.modules) - before:
         del sys.modules[name]
-
-
-def accept(loaded):
-    return loaded
 
 
 def test_entry_points_are_listed_by_name_and_imported_when_they_are_loaded(plugin):
@@ -140,19 +136,26 @@ def test_a_broken_plug_in_is_left_out_with_one_warning_and_the_others_load(plugi
     plugin("breaks_at_import.py", "raise RuntimeError('no licence')")
     methods = registry(point("bad", "breaks_at_import:Thing", "third"), point("good", "math:pi"))
     with pytest.warns(PluginWarning, match="Left out method 'bad': .*third 1.0.*no licence") as warned:
-        assert list(methods.load_all(accept)) == ["good"]
+        assert list(methods.load_all()) == ["good"]
     assert len(warned) == 1
 
 
 def test_a_plug_in_that_is_something_else_is_left_out_with_one_warning():
-    def only_pi(loaded):
-        if loaded != import_object("math:pi", "pi"):
-            raise UsageError("it is not pi")
-        return loaded
-
-    with pytest.warns(PluginWarning, match="Left out method 'e': it is not pi") as warned:
-        assert list(registry(point("e", "math:e"), point("pi", "math:pi")).load_all(only_pi)) == ["pi"]
+    methods = registry(point("join", "os.path:join"), point("pi", "math:pi"), kind=float)
+    with pytest.warns(PluginWarning, match="'join' must be a builtins.float. Got function instead") as warned:
+        assert list(methods.load_all()) == ["pi"]
     assert len(warned) == 1
+    with pytest.raises(UsageError, match="Got function"):
+        methods.find("join")
+    assert methods.find("pi") == import_object("math:pi", "pi")
+
+
+def test_a_plug_in_with_an_id_has_that_name(plugin):
+    plugin("named.py", "from types import SimpleNamespace\ncard = SimpleNamespace(id='sift')\n")
+    methods = registry(point("hog", "named:card"), point("sift", "named:card"))
+    assert methods.find("sift").id == "sift"
+    with pytest.raises(UsageError, match="'hog' has the id 'sift': both must be the same"):
+        methods.find("hog")
 
 
 def test_the_summary_is_read_without_importing(plugin):

@@ -55,7 +55,7 @@ def test_a_map_is_asked_without_what_only_fitting_and_drawing_need(tiny_images, 
     [
         "import vpr_bench.types.protocol",
         "from vpr_bench.method.build import METHODS; [entry.summary() for entry in METHODS.entries()]",
-        "from vpr_bench.dataset.card import DATASETS, as_card; assert 'gardens' in DATASETS.load_all(as_card)",
+        "from vpr_bench.dataset.card import DATASETS; assert 'gardens' in DATASETS.load_all()",
         "import vpr_bench; vpr_bench.Traverse, vpr_bench.Match, vpr_bench.load_case",
     ],
     ids=["protocol", "methods", "cards", "package"],

@@ -43,11 +43,11 @@ def _folders() -> list[tuple[str, object]]:
 
 def _images() -> list[tuple[str, object]]:
     from vpr_bench.dataset.acquire import verify_images
-    from vpr_bench.dataset.card import DATASETS, as_card
+    from vpr_bench.dataset.card import DATASETS
     from vpr_bench.dataset.editions import find_images
 
     states: list[tuple[str, object]] = []
-    for name, card in DATASETS.load_all(as_card).items():
+    for name, card in DATASETS.load_all().items():
         try:
             folder = find_images(card)
             faults = verify_images(card, folder, card.id) if folder else []

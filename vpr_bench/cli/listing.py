@@ -93,7 +93,7 @@ def _line(facts: dict[str, Any]) -> str:
 
 
 def _describe(name: str) -> dict[str, Any]:
-    from vpr_bench.dataset.card import DATASETS, as_card
+    from vpr_bench.dataset.card import DATASETS
     from vpr_bench.dataset.own import own_card
     from vpr_bench.dataset.request import Request, own_folder
     from vpr_bench.method.build import METHODS
@@ -107,7 +107,7 @@ def _describe(name: str) -> dict[str, Any]:
     datasets = {entry.name for entry in DATASETS.entries()}
     dataset = Request.parse(name).dataset  # gardens:simulated and whole protocol ids name it too
     if dataset in datasets:
-        return _describe_card(as_card(DATASETS.entry(dataset).load()), DATASETS.entry(dataset).origin)
+        return _describe_card(DATASETS.find(dataset), DATASETS.entry(dataset).origin)
     own = None if name in methods else own_folder(name)
     if own is not None:
         return _describe_card(own_card(own), str(own))
@@ -183,9 +183,9 @@ def _methods() -> list[dict[str, str]]:
 
 
 def _datasets() -> list[dict[str, str]]:
-    from vpr_bench.dataset.card import DATASETS, as_card
+    from vpr_bench.dataset.card import DATASETS
 
-    cards = DATASETS.load_all(as_card)
+    cards = DATASETS.load_all()
     return [
         {
             "name": name,

@@ -30,9 +30,9 @@ NameArgument = Annotated[str, typer.Argument(help="Weights id.")]
 @app.command("list", epilog=LIST_EXAMPLES)
 def list_(form: TextFormatOption = "table") -> None:
     """List the weights that are known, what they were trained on, their licences, and where they are."""
-    from vpr_bench.weights.card import WEIGHTS, as_weights_card
+    from vpr_bench.weights.card import WEIGHTS
 
-    cards = WEIGHTS.load_all(as_weights_card)
+    cards = WEIGHTS.load_all()
     if form == "json":
         import json
 
@@ -84,14 +84,14 @@ def verify(
     Exit code 1: another file than the one met first; 3: missing or damaged.
     """
     from vpr_bench.errors import UsageError, VprBenchError
-    from vpr_bench.weights.card import WEIGHTS, as_weights_card, find_weights_card
+    from vpr_bench.weights.card import WEIGHTS, find_weights_card
     from vpr_bench.weights.checkpoint import load_checkpoint
     from vpr_bench.weights.digest import weights_digest
     from vpr_bench.weights.place import find_file
 
     if accept and name is None:
         raise UsageError("Say which weights to accept.")
-    cards = [find_weights_card(name)] if name else list(WEIGHTS.load_all(as_weights_card).values())
+    cards = [find_weights_card(name)] if name else list(WEIGHTS.load_all().values())
     code = 0
     for card in cards:
         if name is None and not _facts(card)["path"]:

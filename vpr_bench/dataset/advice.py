@@ -3,7 +3,7 @@
 from contextlib import suppress
 from pathlib import Path
 
-from vpr_bench.dataset.layout import LAYOUTS, as_layout, recognise
+from vpr_bench.dataset.layout import LAYOUTS, recognise
 from vpr_bench.errors import VprBenchError, blaming
 from vpr_bench.files.disk import disk_errors
 from vpr_bench.types.image import SUFFIXES
@@ -24,7 +24,7 @@ def unrecognised(folder: Path, layout: str | None = None, others: list[str] | No
     others : list of str, optional
         The layouts that do recognise it.
     """
-    known = {name: one.about for name, one in LAYOUTS.load_all(as_layout).items() if one.recognise is not None}
+    known = {name: one.about for name, one in LAYOUTS.load_all().items() if one.recognise is not None}
     if layout is not None and others:
         return (
             f"{folder} is not of the layout {layout!r} ({known.get(layout, '')}), but of {' and '.join(others)}.\n"

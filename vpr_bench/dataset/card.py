@@ -295,20 +295,7 @@ class Card(_Frozen):
         return next((one.options for one in self.given if [one.references, one.queries] == names), None)
 
 
-DATASETS: Registry[Card] = Registry("vpr_bench.datasets", "dataset")
-
-
-def as_card(loaded: Any) -> Card:
-    """Check that a dataset plug-in is a card.
-
-    Raises
-    ------
-    UsageError
-        If it is something else.
-    """
-    if not isinstance(loaded, Card):
-        raise UsageError(f"a dataset must be a vpr_bench.dataset.card.Card. Got {type(loaded).__name__} instead.")
-    return loaded
+DATASETS: Registry[Card] = Registry("vpr_bench.datasets", "dataset", Card)
 
 
 def expand_groups(names: Iterable[str]) -> list[str]:
@@ -331,7 +318,7 @@ def _members(name: str) -> list[str]:
     """Return the datasets of a group; none if the name is one of a dataset, or of a folder."""
     if name in DATASETS:
         return []
-    cards = DATASETS.load_all(as_card)
+    cards = DATASETS.load_all()
     members = [dataset for dataset, card in cards.items() if name in card.groups]
     if not members and not Path(name).is_dir():
         groups = {group for card in cards.values() for group in card.groups}
@@ -347,7 +334,4 @@ def find_card(dataset: str) -> Card:
     UsageError
         If there is no such dataset; the closest one is suggested.
     """
-    card = as_card(DATASETS.entry(dataset).load())
-    if card.id != dataset:
-        raise UsageError(f"The dataset {dataset!r} has a card with the id {card.id!r}: both must be the same.")
-    return card
+    return DATASETS.find(dataset)

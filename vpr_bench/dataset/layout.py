@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from vpr_bench.dataset.recording import Recording
-from vpr_bench.errors import DataError, UsageError, blaming
+from vpr_bench.errors import DataError, blaming
 from vpr_bench.registry import Registry
 from vpr_bench.types.ground_truth import GroundTruth
 
@@ -66,20 +66,7 @@ class Layout:
     rank: int = 0
 
 
-LAYOUTS: Registry[Layout] = Registry("vpr_bench.layouts", "layout")
-
-
-def as_layout(loaded: Any) -> Layout:
-    """Check that a layout plug-in is one.
-
-    Raises
-    ------
-    UsageError
-        If it is something else.
-    """
-    if not isinstance(loaded, Layout):
-        raise UsageError(f"a layout must be a vpr_bench.dataset.layout.Layout. Got {type(loaded).__name__} instead.")
-    return loaded
+LAYOUTS: Registry[Layout] = Registry("vpr_bench.layouts", "layout", Layout)
 
 
 def find_layout(name: str) -> Layout:
@@ -90,7 +77,7 @@ def find_layout(name: str) -> Layout:
     UsageError
         If there is no such layout; the closest one is suggested.
     """
-    return as_layout(LAYOUTS.entry(name).load())
+    return LAYOUTS.find(name)
 
 
 def recognise(folder: Path, only: str | None = None) -> list[tuple[str, Recognised]]:
@@ -110,7 +97,7 @@ def recognise(folder: Path, only: str | None = None) -> list[tuple[str, Recognis
     DataError
         If the folder is of a layout and broken, and no more specific layout recognises it.
     """
-    layouts = LAYOUTS.load_all(as_layout) if only is None else {only: find_layout(only)}
+    layouts = LAYOUTS.load_all() if only is None else {only: find_layout(only)}
     said: list[tuple[str, Recognised]] = []
     for name, layout in sorted(layouts.items(), key=lambda item: (-item[1].rank, item[0])):
         if layout.recognise is None:

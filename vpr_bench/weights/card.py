@@ -2,12 +2,12 @@
 
 import tomllib
 from importlib.resources.abc import Traversable
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
 from vpr_bench.dataset.card import Digest
-from vpr_bench.errors import DataError, UsageError, first_fault
+from vpr_bench.errors import DataError, first_fault
 from vpr_bench.registry import Registry
 
 Channels = tuple[float, float, float]
@@ -67,20 +67,7 @@ class WeightsCard(BaseModel):
             raise DataError(f"The card {file} cannot be read: {error}.") from None
 
 
-WEIGHTS: Registry[WeightsCard] = Registry("vpr_bench.weights", "set of weights")
-
-
-def as_weights_card(loaded: Any) -> WeightsCard:
-    """Check that a plug-in is a card of weights.
-
-    Raises
-    ------
-    UsageError
-        If it is something else.
-    """
-    if not isinstance(loaded, WeightsCard):
-        raise UsageError(f"weights must be a vpr_bench.weights.card.WeightsCard. Got {type(loaded).__name__} instead.")
-    return loaded
+WEIGHTS: Registry[WeightsCard] = Registry("vpr_bench.weights", "set of weights", WeightsCard)
 
 
 def find_weights_card(name: str) -> WeightsCard:
@@ -91,7 +78,4 @@ def find_weights_card(name: str) -> WeightsCard:
     UsageError
         If there are none of that id; the closest one is suggested.
     """
-    card = as_weights_card(WEIGHTS.entry(name).load())
-    if card.id != name:
-        raise UsageError(f"The weights {name!r} have a card with the id {card.id!r}: both must be the same.")
-    return card
+    return WEIGHTS.find(name)

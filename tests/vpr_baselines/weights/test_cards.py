@@ -2,7 +2,7 @@ import pytest
 
 from vpr_baselines import weights
 from vpr_baselines.backbones.architectures import ARCHITECTURES
-from vpr_bench.weights.card import WEIGHTS, as_weights_card, find_weights_card
+from vpr_bench.weights.card import WEIGHTS, find_weights_card
 from vpr_bench.weights.digest import weights_digest
 
 OURS = [entry.name for entry in WEIGHTS.entries() if entry.target.startswith("vpr_baselines.")]
@@ -15,7 +15,7 @@ def test_there_are_weights_for_every_network():
 
 @pytest.mark.parametrize("name", OURS)
 def test_a_card_agrees_with_its_network(name):
-    card = as_weights_card(find_weights_card(name))
+    card = find_weights_card(name)
     network = ARCHITECTURES[card.architecture]
     assert (card.mean, card.std) == (network.mean, network.std)
     if card.sha256_prefix:  # as torchvision names its files

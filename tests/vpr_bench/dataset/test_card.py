@@ -3,7 +3,7 @@ import copy
 import pytest
 from pydantic import ValidationError
 
-from vpr_bench.dataset.card import DATASETS, Card, as_card, expand_groups, find_card
+from vpr_bench.dataset.card import DATASETS, Card, expand_groups, find_card
 from vpr_bench.errors import DataError, UsageError
 
 CARD = """
@@ -186,7 +186,7 @@ def test_a_folder_is_no_misspelt_group(tmp_path, monkeypatch):
 
 def test_a_dataset_is_found_by_its_id(tiny_dataset):
     assert find_card("tiny") is tiny_dataset.card
-    assert DATASETS.load_all(as_card)["tiny"] is tiny_dataset.card
+    assert DATASETS.load_all()["tiny"] is tiny_dataset.card
 
 
 def test_an_unknown_dataset_suggests_the_closest():

@@ -5,7 +5,7 @@ import tomli_w
 from pydantic import ValidationError
 
 from vpr_bench.errors import DataError, UsageError
-from vpr_bench.weights.card import WeightsCard, as_weights_card, find_weights_card
+from vpr_bench.weights.card import WeightsCard, find_weights_card
 
 
 @pytest.mark.parametrize(
@@ -56,8 +56,6 @@ def test_weights_are_found_by_id_and_the_nearest_is_suggested(tiny_weights):
 
 
 def test_a_plug_in_must_be_a_card_of_its_own_name(tiny_weights):
-    with pytest.raises(UsageError, match=r"must be a vpr_bench.weights.card.WeightsCard. Got dict"):
-        as_weights_card({})
     tiny_weights.register(id="tiny-net-lines")
-    with pytest.raises(UsageError, match="have a card with the id 'tiny-net-lines'"):
+    with pytest.raises(UsageError, match="has the id 'tiny-net-lines'"):
         find_weights_card("tiny-net-dots")

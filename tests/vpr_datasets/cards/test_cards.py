@@ -7,7 +7,7 @@ from importlib.resources import files
 import numpy as np
 import pytest
 
-from vpr_bench.dataset.card import DATASETS, Card, as_card, expand_groups
+from vpr_bench.dataset.card import DATASETS, Card, expand_groups
 from vpr_bench.dataset.load import load_from
 from vpr_bench.registry import import_object
 from vpr_bench.types.protocol import UNMEASURED
@@ -30,7 +30,7 @@ def in_small(card: Card) -> Card:
 
 @pytest.fixture(scope="module", params=OURS)
 def small(request, tmp_path_factory):
-    card = in_small(as_card(DATASETS.entry(request.param).load()))
+    card = in_small(DATASETS.find(request.param))
     folder = tmp_path_factory.mktemp(card.id)
     import_object(card.simulation.renderer, "The renderer")(card.simulation.options).render(folder)
     return card, folder
