@@ -37,6 +37,19 @@ def pairs(
         write(json.dumps(run(queries, dimensions, radius, seed), indent=2))
 
 
+@app.command("bootstrap")
+def bootstrap(
+    queries: Annotated[int, typer.Option(min=1, help="How many are drawn from.")] = 27_592,
+    resamples: Annotated[int, typer.Option(min=1, help="How often they are drawn.")] = 2000,
+    seed: Annotated[int, typer.Option(min=0, help="Of the answers and the draws.")] = 0,
+) -> None:
+    """Measure the intervals of all metrics, on one core, and print the facts as JSON."""
+    from vpr_bench.bench.bootstrap import run
+
+    with progress_bars():
+        write(json.dumps(run(queries, resamples, seed), indent=2))
+
+
 @app.command("streaming")
 def streaming(
     dataset: Annotated[str, typer.Option(help="Whose images are repeated.")],

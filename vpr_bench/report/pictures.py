@@ -34,9 +34,13 @@ class RunPictures:
     @cached_property
     def case(self) -> Case | None:
         """The images and places, None if they are not here as they were."""
-        key = self._run.record.key
+        key, protocol = self._run.record.key, self._run.protocol
         try:
-            case = load_case(self._dataset, key.pairing) if self._dataset else load_case(self._run.record.protocol)
+            case = (
+                load_case(self._dataset, f"{protocol.pairing}@{protocol.reach}")
+                if self._dataset
+                else load_case(str(protocol))
+            )
             if case.digest != key.dataset_digest:
                 raise DataError(
                     f"they are not those of the run: {key.dataset_digest:.15}… then, {case.digest:.15}… now."

@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from vpr_bench.errors import UsageError
 from vpr_bench.metrics import bootstrap as module
-from vpr_bench.metrics.bootstrap import Interval, bootstrap, bootstrap_difference, resampled
+from vpr_bench.metrics.answers import NEVER, Answers
+from vpr_bench.metrics.bootstrap import Interval, bootstrap, bootstrap_difference, percentile_interval, resampled
 from vpr_bench.metrics.definitions import METRICS, compute
 
 
@@ -62,15 +63,45 @@ def test_resamples_in_which_a_metric_is_undefined_are_left_out(make):
     assert bootstrap(answers, ["roc_auc"], 200)["roc_auc"] == Interval(1, 1, 1)
 
 
-def test_the_interval_covers_the_truth_as_often_as_it_says(make):
-    # 300 experiments of 200 queries with a true recall of 0.7: 95 % of the intervals, give
-    # or take 1.3 %, should hold it.
-    held = 0
-    for experiment in range(300):
-        answers = make(flips(200, 0.7, experiment), np.zeros(200))
-        interval = bootstrap(answers, ["recall@1"], 200, seed=experiment)["recall@1"]
-        held += interval.low <= 0.7 <= interval.high
-    assert 0.90 <= held / 300 <= 0.98
+# A population whose true values can be worked out. Method A has uniform scores and is right with the chance that its
+# score says, so that precision over the threshold t is (1 + t) / 2 and recall (1 - t^2) / 2. Method B is right with the
+# square root of its score for a chance. A query that is hard for one is hard for the other.
+TRUE_RECALL = {"A": 1 / 2, "B": 2 / 3}
+TRUE_PR_AUC = {"A": 5 / 12, "B": 2 / 3 * (2 * np.log(2) - 1 / 2)}
+
+
+def drawn(n, seed):
+    """Answers of A and B to ``n`` queries of the population."""
+    generator = np.random.default_rng(seed)
+    hard, *scores = generator.random((3, n))
+    columns = [(hard < chance, score) for chance, score in zip((scores[0], np.sqrt(scores[1])), scores, strict=True)]
+    return [Answers(right, score, np.ones(n, bool), np.where(right, 0, NEVER)) for right, score in columns]
+
+
+def test_the_population_is_as_it_was_worked_out():
+    values = [compute(["recall@1", "pr_auc"], answers) for answers in drawn(1_000_000, seed=0)]
+    for name, found in zip("AB", values, strict=True):
+        assert found["recall@1"] == pytest.approx(TRUE_RECALL[name], abs=0.002)
+        assert found["pr_auc"] == pytest.approx(TRUE_PR_AUC[name], abs=0.002)
+
+
+def test_intervals_cover_the_truth_as_often_as_they_say():
+    # Of a value and of a paired difference, in many experiments of as many queries as a short walk has.
+    truth = {"recall@1": TRUE_RECALL, "pr_auc": TRUE_PR_AUC}
+    experiments = 1200
+    held = dict.fromkeys([(name, what) for name in truth for what in ("value", "difference")], 0)
+    for seed in range(experiments):
+        first, second = drawn(200, seed)
+        values = [compute(truth, answers) for answers in (first, second)]
+        samples = [resampled(answers, truth, 500, seed) for answers in (first, second)]
+        for name, true in truth.items():
+            value = percentile_interval(values[0][name], samples[0][name])
+            held[name, "value"] += value.low <= true["A"] <= value.high
+            difference = percentile_interval(values[1][name] - values[0][name], samples[1][name] - samples[0][name])
+            held[name, "difference"] += difference.low <= true["B"] - true["A"] <= difference.high
+    assert {what: 0.93 <= count / experiments <= 0.97 for what, count in held.items()} == dict.fromkeys(held, True), (
+        held
+    )
 
 
 def test_the_paired_interval_is_narrower_than_the_unpaired_spread(make):
@@ -88,6 +119,19 @@ def test_the_paired_interval_is_narrower_than_the_unpaired_spread(make):
 def test_a_run_does_not_differ_from_itself(make):
     answers = make(flips(30, 0.5, 0), np.arange(30))
     assert bootstrap_difference(answers, answers, ["pr_auc"], 20)["pr_auc"] == Interval(0, 0, 0)
+
+
+@settings(max_examples=25)
+@given(data=st.data())
+def test_swapping_the_runs_negates_the_difference(data, any_answers):
+    first = data.draw(any_answers())
+    right = np.array(data.draw(st.lists(st.booleans(), min_size=len(first), max_size=len(first))), dtype=bool)
+    right &= first.has_match & first.answered
+    second = dataclasses.replace(first, correct=right, rank=np.where(right, 0, NEVER))
+    there, back = (bootstrap_difference(*pair, METRICS, 20) for pair in ((first, second), (second, first)))
+    for name in METRICS:
+        turned = Interval(-back[name].value, -back[name].high, -back[name].low)
+        assert dataclasses.astuple(there[name]) == pytest.approx(dataclasses.astuple(turned), nan_ok=True, abs=1e-12)
 
 
 def test_runs_on_different_queries_are_not_compared(make):

@@ -1,0 +1,94 @@
+"""The queries that only one of two runs answers right, with what each answered."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from vpr_bench.compare.pair import RunPair
+from vpr_bench.metrics.flips import flips
+from vpr_bench.runner.store import StoredRun
+from vpr_bench.types.ground_truth import GroundTruth
+from vpr_bench.types.protocol import UNMEASURED
+
+
+@dataclass(frozen=True)
+class Best:
+    """The best match that a run has for a query; soft matches, neither right nor wrong, are passed over.
+
+    Attributes
+    ----------
+    reference : int or None
+        None where it answered nothing.
+    score : float or None
+        Higher is better; scores of two methods are not to be compared.
+    """
+
+    reference: int | None
+    score: float | None
+
+
+@dataclass(frozen=True)
+class FlippedQuery:
+    """A query that one run answers right and the other does not.
+
+    Attributes
+    ----------
+    query : int
+        In the numbering of the query traverse.
+    gained : bool
+        The second run is right; else the first.
+    first, second : Best
+        What they answered.
+    truth : int
+        The true match nearest to the query's place; the first one where places have no distance.
+    """
+
+    query: int
+    gained: bool
+    first: Best
+    second: Best
+    truth: int
+
+
+def flipped_queries(pair: RunPair) -> tuple[list[FlippedQuery], list[FlippedQuery]]:
+    """Find the queries on which two runs disagree.
+
+    Returns
+    -------
+    lost, gained : list of FlippedQuery
+        Only the first run is right, and only the second; by ascending number.
+    """
+    found = flips(*pair.answers)
+    counted = [_column_that_counts(run, pair.truth) for run in (pair.first, pair.second)]
+
+    def describe(query: int, *, gained: bool) -> FlippedQuery:
+        row = int(np.searchsorted(pair.first.queries, query))
+        first, second = _best(pair.first, row, counted[0]), _best(pair.second, row, counted[1])
+        return FlippedQuery(query, gained, first, second, _nearest_truth(pair, row))
+
+    lost = [describe(query, gained=False) for query in found.lost.tolist()]
+    return lost, [describe(query, gained=True) for query in found.gained.tolist()]
+
+
+def _column_that_counts(run: StoredRun, truth: GroundTruth) -> NDArray[np.intp]:
+    """(n,) int: which of the ranked answers to each query is the first that is no soft match."""
+    rows = np.arange(len(run.indices))
+    if truth.soft is None:
+        return np.zeros_like(rows)
+    columns: NDArray[np.intp] = truth.soft.contains(rows[:, None], run.indices).argmin(axis=1)
+    return columns
+
+
+def _best(run: StoredRun, row: int, columns: NDArray[np.intp]) -> Best:
+    column = int(columns[row])
+    reference = int(run.indices[row, column])
+    return Best(None, None) if reference < 0 else Best(reference, float(run.scores[row, column]))
+
+
+def _nearest_truth(pair: RunPair, row: int) -> int:
+    right, places = pair.truth[row], pair.first.places
+    if pair.protocol.unit in UNMEASURED or places.queries is None or places.references is None:
+        return int(right[0])
+    apart = (places.references[right] - places.queries[row]).reshape(len(right), -1)
+    return int(right[np.linalg.norm(apart, axis=1).argmin()])
