@@ -13,17 +13,21 @@ def doctor() -> None:
 
     from vpr_bench.cores import available_cores
     from vpr_bench.runner.machine import describe_machine
+    from vpr_bench.runner.provenance import source_state
 
-    machine = describe_machine(available_cores())
+    states = [*_folders(), *_images(), *_weights()]
+    machine = describe_machine(available_cores())  # after what loads the libraries that multiply matrices
     faults = 0
     table = Table(show_header=False, box=None, pad_edge=False)
     table.add_column(style="bold")
     table.add_column(overflow="fold")
     table.add_row("system", f"{machine.system}, Python {machine.python}")
-    table.add_row("processor", f"{machine.processor}, {machine.cores} cores")
+    table.add_row("machine", f"{machine}, fingerprint {machine.fingerprint}")
+    table.add_row("BLAS", ", ".join(machine.blas or []))
+    table.add_row("vpr-bench at", str(source_state() or "no known commit"))
     for name, version in machine.libraries.items():
         table.add_row(name, version)
-    for name, state in [*_folders(), *_images(), *_weights()]:
+    for name, state in states:
         faults += isinstance(state, VprBenchError)
         table.add_row(name, Text(str(state), style="red" if isinstance(state, VprBenchError) else ""))
     show(table)

@@ -1,16 +1,18 @@
 """``vpr-bench show`` and ``vpr-bench score``: what stored runs say, and what they would say otherwise."""
 
+import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vpr_bench.cli.console import complain, say
+from vpr_bench.cli.console import complain, say, write
 from vpr_bench.cli.console import show as show_result
 from vpr_bench.cli.details import details
 from vpr_bench.cli.options import (
     RUNS,
     BootstrapOption,
+    Format,
     FormatOption,
     MetricOption,
     OutputOption,
@@ -32,6 +34,8 @@ vpr-bench show
 
 vpr-bench show 3f2a --plot-stages lost.png
 
+vpr-bench show 3f2a --provenance
+
 vpr-bench show runs/gardens/day_left-night_right/hog/9bc4cf0169f3 --format json
 """
 SCORE_EXAMPLES = """[bold]Examples[/bold]
@@ -50,6 +54,9 @@ RunArgument = Annotated[
 
 def show(
     run: RunArgument = None,
+    provenance: Annotated[
+        bool, typer.Option("--provenance", help="Say how each run came about: command, code, versions, machine.")
+    ] = False,
     plot_stages: PlotStepsOption = None,
     output: OutputOption = RUNS,
     form: FormatOption = "table",
@@ -59,6 +66,11 @@ def show(
     from vpr_bench.report.rows import HEADLINE
     from vpr_bench.runner.select import select_runs
 
+    if provenance:
+        if plot_stages is not None:
+            raise UsageError("--provenance draws nothing: leave out --plot-stages.")
+        _show_provenance(select_runs(run, output), form)
+        return
     _check_pictures(plot_stages)
     runs = select_runs(run, output)
     rows, failed = _score(runs, Scoring(check_metrics(None, HEADLINE), None, None, 0))
@@ -111,6 +123,20 @@ def score(
         say(f"drawn: {draw_radius_curve(rows, drawn, plot)}")
     _draw_stages(rows, plot_stages)
     raise typer.Exit(failed)
+
+
+def _show_provenance(runs: list["StoredRun"], form: Format) -> None:
+    from vpr_bench.cli.provenance import provenance_block, provenance_content
+
+    if form not in ("table", "json"):
+        raise UsageError(f"--provenance is written as table or json. Got {form!r} instead.")
+    if form == "json":
+        write(json.dumps([provenance_content(run) for run in runs], indent=2, ensure_ascii=False))
+        return
+    for number, run in enumerate(runs):
+        if number:
+            show_result("")
+        show_result(provenance_block(run))
 
 
 def _check_pictures(*files: Path | None) -> None:

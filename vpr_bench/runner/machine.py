@@ -29,7 +29,8 @@ class Machine(BaseModel):
     python : str
         Version.
     libraries : dict
-        vpr-bench and the distributions that it depends on, by name with their versions.
+        vpr-bench and the distributions that it depends on, as far as they are installed also those that are optional,
+        by name with their versions.
     blas : list of str or None
         The libraries that multiply matrices and share out threads, with version and instruction set; None where it was
         not noted.
@@ -94,7 +95,8 @@ def _dependencies() -> list[str]:
         lines = requires(_OURSELVES) or []
     except PackageNotFoundError:  # taken from its sources, without being installed
         return []
-    return sorted(re.split(r"[^A-Za-z0-9._-]", line, maxsplit=1)[0] for line in lines if "extra ==" not in line)
+    used = [line for line in lines if not re.search("""extra == ['"]dev['"]""", line)]
+    return sorted({re.split(r"[^A-Za-z0-9._-]", line, maxsplit=1)[0] for line in used})
 
 
 def _blas() -> list[str]:

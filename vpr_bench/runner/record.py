@@ -118,12 +118,14 @@ def read_record(path: Path) -> RunRecord:
     except ValueError as error:
         raise DamagedError(f"{path} is damaged: {error}.") from None
     found = content.get("schema_version") if isinstance(content, dict) else None
-    if isinstance(found, int) and not 1 <= found <= SCHEMA_VERSION:
+    if type(found) is not int:  # True is an int too
+        raise DamagedError(f"{path} is damaged: it states no schema version.")
+    if not 1 <= found <= SCHEMA_VERSION:
         raise DataError(
             f"{path} has schema version {found}; this vpr-bench reads 1 to {SCHEMA_VERSION}. Update vpr-bench."
         )
     try:
-        record = RunRecord.model_validate(migrated(content) if isinstance(found, int) else content)
+        record = RunRecord.model_validate(migrated(content))
         Protocol.parse(record.protocol)
     except ValidationError as error:
         raise DamagedError(f"{path} is damaged: {first_fault(error)}.") from None

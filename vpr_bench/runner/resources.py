@@ -4,7 +4,7 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from types import TracebackType
 from typing import Self
 
@@ -77,6 +77,9 @@ class PeakMemory:
 class Elsewhere:
     """What other processes take of the machine's processor time inside a ``with`` block.
 
+    Processes that this one started are not others, as long as it waits for them or they live. Time that a virtual
+    machine waited for its host counts as taken.
+
     Attributes
     ----------
     share : float
@@ -101,13 +104,25 @@ class Elsewhere:
 
 
 def _clocks() -> tuple[float, float, float]:
-    """Return the seconds gone by times the cores, those in which a core was busy, and those of this process."""
+    """Return the seconds gone by times the cores, those in which a core was busy, and those of our processes."""
     import psutil
 
-    machine, own = psutil.cpu_times(), psutil.Process().cpu_times()
+    machine = psutil.cpu_times()
     waiting = machine.idle + getattr(machine, "iowait", 0.0)
     # Virtual machines count guests twice: in their own column, and as the user's.
     total = sum(machine) - getattr(machine, "guest", 0.0) - getattr(machine, "guest_nice", 0.0)
     cores = psutil.cpu_count() or 1
-    ours = own.user + own.system + own.children_user + own.children_system
-    return time.perf_counter() * cores, total - waiting, ours
+    return time.perf_counter() * cores, total - waiting, _own_seconds()
+
+
+def _own_seconds() -> float:
+    """Return the processor seconds of this process, of what it started that still lives, and of what it waited for."""
+    import psutil
+
+    seconds = 0.0
+    process = psutil.Process()
+    for one in [process, *process.children(recursive=True)]:
+        with suppress(psutil.Error):  # it may just have ended
+            own = one.cpu_times()
+            seconds += own.user + own.system + own.children_user + own.children_system
+    return seconds

@@ -4,7 +4,6 @@ import json
 import shutil
 import time
 import warnings
-from datetime import UTC, datetime
 from pathlib import Path
 
 from vpr_bench.checkpoint import checkpoints
@@ -19,7 +18,7 @@ from vpr_bench.progress import track
 from vpr_bench.runner.answers import AnswerTable
 from vpr_bench.runner.asking import Questioner, query_order
 from vpr_bench.runner.machine import describe_machine
-from vpr_bench.runner.provenance import Provenance, command_line, source_state
+from vpr_bench.runner.provenance import begin, utc_now
 from vpr_bench.runner.record import RunKey, RunRecord
 from vpr_bench.runner.resources import Elsewhere, PeakMemory, limit_threads
 from vpr_bench.runner.store import LABELS, MATCHES, RECORD, SHORTLISTS, TIMINGS, StoreWarning
@@ -42,7 +41,7 @@ def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path, timeout: fl
         If the method raises, answers nonsense or takes longer than ``timeout`` seconds; names the query.
     """
     work.mkdir(exist_ok=True)
-    started = _now()
+    provenance = begin(built.method, built.origin)
     sequential = is_sequential(built.method)
     table = AnswerTable(key.k) if sequential else _resume(work / _ANSWERS, key.k)
     resumed = bool(table.matches) or (work / _FITTED).exists() or (work / _FITTING).exists()
@@ -73,14 +72,8 @@ def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path, timeout: fl
         fit_seconds=fit_seconds,
         peak_memory={"fit": fit_peak, "match": memory.bytes},
         machine=describe_machine(key.threads),
-        provenance=Provenance(
-            argv=command_line(),
-            source=source_state(),
-            origin=built.origin,
-            started=started,
-            elsewhere=round(elsewhere.share, 4),
-        ),
-        created=_now(),
+        provenance=provenance.model_copy(update={"elsewhere": round(elsewhere.share, 4)}),
+        created=utc_now(),
         files={name: sha256_of_file(work / name) for name in contents},
     )
     write_bytes(work / RECORD, record.model_dump_json(indent=2).encode())
@@ -88,10 +81,6 @@ def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path, timeout: fl
     (work / _FITTED).unlink(missing_ok=True)
     for folder in (_FIT, _FITTING):
         shutil.rmtree(work / folder, ignore_errors=True)
-
-
-def _now() -> str:
-    return datetime.now(UTC).isoformat(timespec="seconds")
 
 
 def _resume(path: Path, k: int) -> AnswerTable:

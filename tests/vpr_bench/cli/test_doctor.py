@@ -1,7 +1,17 @@
 def test_says_what_there_is(vpr_bench, tiny_dataset):
     done = vpr_bench("doctor")
     assert done.code == 0
-    for fact in ("torch", "cores", str(tiny_dataset.folder), "not on disk: simulated", "sha256:579344248"):
+    for fact in (
+        "torch",
+        "cores",
+        "GiB",
+        "fingerprint",
+        "BLAS",
+        "vpr-bench at",
+        str(tiny_dataset.folder),
+        "not on disk: simulated",
+        "sha256:579344248",
+    ):
         assert fact in done.out
 
 

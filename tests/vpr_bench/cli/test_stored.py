@@ -152,3 +152,67 @@ def test_losses_of_a_method_that_notes_its_shortlists(vpr_bench, tiny_dataset):
     rows = json.loads(vpr_bench("score", stored, "--radius", "0,3", "--format", "json").out)
     assert rows[0]["steps"][0]["lost"] > rows[1]["steps"][0]["lost"] > 0
     assert "lost by coarse" in vpr_bench("score", stored, "--radius", "0,3").out
+
+
+OLD = Path(__file__).parents[1] / "runner" / "stored" / "v1"
+
+
+def test_provenance(vpr_bench, folder):
+    done = vpr_bench("show", str(folder), "--provenance")
+    assert done.code == 0
+    command = " ".join(("vpr-bench", *TINY))
+    for fact in (command, "vpr-bench 0", "numpy", "started", "fingerprint", "of the machine's processor time"):
+        assert fact in done.out
+    content = json.loads(vpr_bench("show", str(folder), "--provenance", "--format", "json").out)
+    assert len(content) == 1
+    record = json.loads((folder / "run.json").read_text())
+    assert content[0]["argv"] == ["vpr-bench", *TINY]
+    assert content[0]["dataset_digest"] == record["key"]["dataset_digest"]
+    assert content[0]["machine"]["blas"] == record["machine"]["blas"]
+    assert content[0]["started"] <= content[0]["completed"]
+
+
+def test_provenance_of_all_and_of_old_runs(vpr_bench):
+    done = vpr_bench("show", "--provenance", "--output", str(OLD))
+    assert done.code == 0
+    assert done.out.count("fingerprint") == 2
+    lines = [line.rstrip() for line in done.out.splitlines()]
+    unknown = [line.removesuffix("not noted").strip() for line in lines if line.endswith("not noted")]
+    assert {"method from", "command", "started", "memory", "BLAS", "elsewhere"} <= set(unknown)
+    content = json.loads(vpr_bench("show", "--provenance", "--output", str(OLD), "--format", "json").out)
+    assert [one["argv"] for one in content] == [None, None]
+
+
+def test_a_command_that_is_not_to_be_noted(vpr_bench, tiny_dataset, monkeypatch):
+    monkeypatch.setenv("VPR_BENCH_NO_ARGV", "1")
+    assert vpr_bench(*TINY).code == 0
+    content = json.loads(vpr_bench("show", "--provenance", "--format", "json").out)
+    assert content[0]["argv"] is None
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--format", "csv"), "table or json"),
+        (("--format", "markdown"), "table or json"),
+        (("--plot-stages", "lost.png"), "draws nothing"),
+    ],
+)
+def test_provenance_is_no_table_of_rows_and_no_picture(vpr_bench, folder, words, said):
+    done = vpr_bench("show", "--provenance", *words)
+    assert done.code == 2 and said in done.err
+
+
+def test_old_runs_are_shown(vpr_bench):
+    done = vpr_bench("show", "83288172c0ed", "--output", str(OLD))
+    assert done.code == 0 and "1 thread, Linux" in done.out
+
+
+def test_what_a_run_says_moves_no_cursor(vpr_bench, folder):
+    record = json.loads((folder / "run.json").read_text())
+    record["provenance"]["argv"] = ["vpr-bench", "[bold]\x1b[2J"]
+    record["machine"]["processor"] = "\x1b[2JA"
+    (folder / "run.json").write_text(json.dumps(record))
+    for words in (("--provenance",), ()):
+        done = vpr_bench("show", str(folder), *words)
+        assert done.code == 0 and "\x1b" not in done.out

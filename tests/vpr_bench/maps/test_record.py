@@ -138,3 +138,14 @@ def test_names_stay_inside(name):
 def test_what_was_written_is_read(tiny_map, place):
     assert load_map(place).record == tiny_map.record
     assert json.loads((place / "map.json").read_text())["digest"].startswith("sha256:")
+
+
+def test_a_map_made_before_memory_and_blas_were_noted(tiny_map, place, edit):
+    def forget(content):
+        content["machine"].pop("memory_bytes")
+        content["machine"].pop("blas")
+
+    edit(forget)
+    machine = load_map(place).record.machine
+    assert (machine.memory_bytes, machine.blas) == (None, None)
+    assert machine.processor == tiny_map.record.machine.processor

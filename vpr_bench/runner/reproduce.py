@@ -1,0 +1,209 @@
+"""A stored run done again, exactly: the same method on the same images, asked in the same way."""
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import Any
+
+from vpr_bench.dataset.load import Case, load_case
+from vpr_bench.errors import DamagedError, DataError, UsageError, closest, one_line
+from vpr_bench.method.build import BuiltMethod, build_method, find_method
+from vpr_bench.method.trust import UntrustedError, registered_only
+from vpr_bench.method.version import version_of
+from vpr_bench.registry import NOT_INSTALLED
+from vpr_bench.runner.provenance import SourceState
+from vpr_bench.runner.record import RunKey, RunRecord
+from vpr_bench.runner.run import RunOptions, run, run_key
+from vpr_bench.runner.store import RunStore, StoredRun
+
+_LONGEST = 200  # characters that a message quotes of a value; run.json may be anybody's
+
+
+def reproduce(
+    original: StoredRun, store: RunStore, methods: Sequence[str] = (), dataset: str | None = None
+) -> StoredRun:
+    """Do a run again; a reproduction that was interrupted is continued, one that is complete is done anew.
+
+    Nothing is asked before method, weights and images are known to be those of the run.
+
+    Parameters
+    ----------
+    original : StoredRun
+        It is left as it is.
+    store : RunStore
+        Where the new one goes.
+    methods : sequence of str
+        Where methods are that are not installed: ``path/to/file.py:Class``. A run alone cannot have a file executed.
+    dataset : str, optional
+        Where the images are, if they are a folder of one's own.
+
+    Raises
+    ------
+    UsageError
+        If a method must be named by the user, or one is named that the run does not have, or the new run would take
+        the place of the old one.
+    DataError
+        If version, parameters or weights of the method or the images are no longer those of the run, or are missing.
+    VprBenchError
+        If the method fails; names the query.
+    """
+    built = rebuild(original.record, methods)
+    case = same_case(original, dataset)
+    key = original.record.key
+    options = RunOptions(key.seed, key.k, key.limit, key.threads, timeout=original.record.timeout)
+    found = run_key(case, built, options)
+    for name, value in _plain(found).items():  # the rest of it, which only an edited run.json can contradict
+        _check(original.record, f"The {name} in its key", _plain(key)[name], value, "Its run.json contradicts itself.")
+    if store.folder(found).resolve() == original.folder.resolve():
+        raise UsageError(f"The new run would take the place of {original.folder}. Give another folder with --output.")
+    return run(
+        case, built, store, replace(options, overwrite="always" if _is_complete(store, found) else "only-missing")
+    )
+
+
+def rebuild(record: RunRecord, methods: Sequence[str] = ()) -> BuiltMethod:
+    """Make the method of a run, with the methods inside it, as it was.
+
+    Parameters and errors are those of :func:`reproduce`.
+    """
+    key = record.key
+    places = _places(key, methods)
+    with registered_only(methods):
+        try:
+            for name, version in _versions(key.method, key.version, key.parameters):
+                _check(record, f"The version of {name}", version, _version_here(places.get(name, name)))
+            built = build_method(places.get(key.method, key.method), _placed(key.parameters, places))
+        except UntrustedError as error:
+            raise UsageError(f"{error} If you trust it, say where it is with --method path/to/file.py:Class.") from None
+        except UsageError as error:
+            raise DataError(f"{error}\n{_made_with(record)}") from None
+    _check(record, f"The weights of {key.method}", key.weights, built.weights)
+    for name, value in _json(built.parameters).items():
+        _check(record, f"The parameter {name}", key.parameters.get(name), value)
+    return built
+
+
+def same_case(original: StoredRun, dataset: str | None = None) -> Case:
+    """Load the images and places of a run.
+
+    Parameters and errors are those of :func:`reproduce`.
+    """
+    protocol, record = original.protocol, original.record
+    try:
+        case = (
+            load_case(str(protocol))
+            if dataset is None
+            else load_case(dataset, f"{protocol.pairing}@{protocol.reach}", unmatched=protocol.unmatched)
+        )
+    except UsageError as error:
+        if dataset is not None:
+            raise
+        raise DataError(f"{error} If its images are a folder of yours, say where with --dataset PATH.") from None
+    advice = (
+        f"The run had other images, or other places for them. See `vpr-bench data verify {protocol.source}`; "
+        "say where a folder of yours is with --dataset PATH."
+    )
+    _check(record, "The digest of the images", record.key.dataset_digest, case.digest, advice)
+    return replace(case, protocol=protocol)  # a folder may be called otherwise by now
+
+
+def _is_complete(store: RunStore, key: RunKey) -> bool:
+    try:
+        return store.find(key) is not None
+    except DamagedError:
+        return False
+
+
+def _places(key: RunKey, methods: Sequence[str]) -> dict[str, str]:
+    """Return what the user calls the methods of a run that are not installed, by what the run calls them."""
+    known = [name for name, _ in _versions(key.method, key.version, key.parameters)]
+    places = {}
+    for method in methods:
+        entry, preset = find_method(method)
+        called = entry.name if preset is None else method
+        if called not in known:
+            raise UsageError(f"The run has no method {called!r}. {closest(called, map(one_line, known))}")
+        places[called] = method
+    return places
+
+
+def _versions(method: str, version: str, parameters: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Yield a method and those inside it, each with its version."""
+    yield method, version
+    for value in parameters.values():
+        if _is_method(value):
+            yield from _versions(value["method"], str(value.get("version")), value["parameters"])
+
+
+def _placed(parameters: Mapping[str, Any], places: Mapping[str, str]) -> dict[str, Any]:
+    """Return parameters with the methods among them called as the user calls them."""
+    return {
+        name: {
+            "method": places.get(value["method"], value["method"]),
+            "parameters": _placed(value["parameters"], places),
+        }
+        if _is_method(value)
+        else value
+        for name, value in parameters.items()
+    }
+
+
+def _is_method(value: Any) -> bool:
+    """Say whether a parameter is a method inside, as :meth:`BuiltMethod.as_parameter` writes it."""
+    return (
+        isinstance(value, Mapping)
+        and value.keys() == {"method", "version", "parameters", "weights"}
+        and isinstance(value["method"], str)
+        and isinstance(value["parameters"], Mapping)
+    )
+
+
+def _version_here(name: str) -> str:
+    entry, _ = find_method(name)
+    return version_of(entry, entry.load())
+
+
+def _check(record: RunRecord, what: str, recorded: Any, found: Any, advice: str = "") -> None:
+    """Refuse to go on where something is not as it was.
+
+    Raises
+    ------
+    DataError
+        Says what, what was recorded and found, and what to do.
+    """
+    if recorded != found:
+        raise DataError(
+            f"{one_line(what):.{_LONGEST}} is not that of the run: recorded was {_quoted(recorded)}, "
+            f"found is {_quoted(found)}.\n{advice or _made_with(record)}"
+        )
+
+
+def _made_with(record: RunRecord) -> str:
+    """Say what has to be installed to have the run's own code."""
+    noted = record.provenance
+    needed = [f"vpr-bench {record.machine.libraries.get('vpr-bench', 'of unknown version')}{_at(noted.source)}"]
+    if noted.origin == NOT_INSTALLED:
+        needed.append(f"the file of its method as it was then{_at(noted.method_source)}")
+    elif noted.origin is not None and not noted.origin.startswith("vpr-bench "):
+        needed.append(f"{noted.origin}{_at(noted.method_source)}")
+    return f"Do it again with what it was made with: {one_line(' and '.join(needed))}."
+
+
+def _at(state: SourceState | None) -> str:
+    return "" if state is None else f" ({state})"
+
+
+def _quoted(value: Any) -> str:
+    return (
+        "none" if value is None else f"{one_line(value if isinstance(value, str) else json.dumps(value)):.{_LONGEST}}"
+    )
+
+
+def _plain(key: RunKey) -> dict[str, Any]:
+    return _json(key.model_dump(mode="json"))
+
+
+def _json(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return values as they are after they have stood in a file."""
+    read: dict[str, Any] = json.loads(json.dumps(dict(values)))
+    return read
