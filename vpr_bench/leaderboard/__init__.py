@@ -1,0 +1,1 @@
+"""Leaderboards: stored runs as rows of one file, ranked protocol by protocol, written as tables."""
