@@ -7,11 +7,15 @@ import typer
 from vpr_bench.cli.bench import app as bench
 from vpr_bench.cli.check import app as check
 from vpr_bench.cli.clusters import CLUSTERS_EXAMPLES, clusters
+from vpr_bench.cli.compare import COMPARE_EXAMPLES, compare
 from vpr_bench.cli.data import app as data
 from vpr_bench.cli.doctor import doctor
 from vpr_bench.cli.fit import EXTEND_EXAMPLES, FIT_EXAMPLES, extend, fit
+from vpr_bench.cli.gate import GATE_EXAMPLES, gate
+from vpr_bench.cli.leaderboard import LEADERBOARD_EXAMPLES, leaderboard
 from vpr_bench.cli.listing import INFO_EXAMPLES, LIST_EXAMPLES, info, list_
 from vpr_bench.cli.locate import LOCATE_EXAMPLES, locate
+from vpr_bench.cli.reproduce import REPRODUCE_EXAMPLES, reproduce
 from vpr_bench.cli.run import EXAMPLES, run
 from vpr_bench.cli.stored import SCORE_EXAMPLES, SHOW_EXAMPLES, score, show
 from vpr_bench.cli.weights import app as weights
@@ -53,7 +57,11 @@ app.command("list", epilog=LIST_EXAMPLES)(list_)
 app.command("info", epilog=INFO_EXAMPLES)(info)
 app.command("show", epilog=SHOW_EXAMPLES)(show)
 app.command("score", epilog=SCORE_EXAMPLES)(score)
+app.command("reproduce", epilog=REPRODUCE_EXAMPLES)(reproduce)
+app.command("compare", epilog=COMPARE_EXAMPLES)(compare)
+app.command("leaderboard", epilog=LEADERBOARD_EXAMPLES)(leaderboard)
 app.command("clusters", epilog=CLUSTERS_EXAMPLES)(clusters)
+app.command("gate", epilog=GATE_EXAMPLES)(gate)
 app.command("doctor")(doctor)
 app.add_typer(check, name="check")
 app.add_typer(data, name="data")

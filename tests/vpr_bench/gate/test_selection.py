@@ -1,0 +1,61 @@
+import pytest
+
+from vpr_bench.errors import UsageError
+from vpr_bench.gate.selection import Selection, Subject
+from vpr_bench.types.protocol import Protocol
+
+
+def subject(label="hog(cell=8)", protocol="gardens:simulated/day_left-night_right@2f"):
+    return Subject(label, label.partition("(")[0], Protocol.parse(protocol))
+
+
+@pytest.mark.parametrize(
+    ("selection", "wanted"),
+    [
+        ({}, True),
+        ({"methods": ["hog"]}, True),
+        ({"methods": ["hog(cell=8)"]}, True),
+        ({"methods": ["hog(cell=9)", "sad"]}, False),
+        ({"datasets": ["gardens"]}, True),
+        ({"datasets": ["gardens:simulated"]}, True),
+        ({"datasets": ["gardens:real"]}, False),
+        ({"datasets": ["gardens/day_left-night_right"]}, True),
+        ({"datasets": ["gardens/day_left-day_right"]}, False),
+        ({"datasets": ["nordland"]}, False),
+        ({"protocols": ["day_left-night_right"]}, True),
+        ({"protocols": ["day_left-night_right@2f"]}, True),
+        ({"protocols": ["day_left-night_right@5f"]}, False),
+        ({"methods": ["hog"], "protocols": ["day_left-day_right"]}, False),
+    ],
+    ids=str,
+)
+def test_what_is_asked_about(selection, wanted):
+    assert Selection(**selection).wants(subject()) is wanted
+
+
+@pytest.mark.parametrize(
+    ("selection", "said"),
+    [
+        ({"methods": ["hogg"]}, "method 'hogg'. Did you mean 'hog'"),
+        ({"datasets": ["nordland"]}, "dataset 'nordland'"),
+        ({"protocols": ["day_left-day_right"]}, "Did you mean 'day_left-night_right'"),
+    ],
+)
+def test_a_name_that_means_nothing_is_refused(selection, said):
+    with pytest.raises(UsageError, match=said):
+        Selection(**selection).check([subject()])
+
+
+def test_a_file_is_a_method_by_its_name_without_folders(tmp_path):
+    file = tmp_path / "mine.py"
+    file.write_text("class Mine: ...")
+    selection = Selection(methods=[f"{file}:Mine"])
+    assert selection.wants(subject("mine.py:Mine(size=3)".replace("(size=3)", "")))
+    assert selection.sources.methods == {"mine.py:Mine": f"{file}:Mine"}
+
+
+def test_a_folder_of_ones_own_is_a_dataset_by_its_id(tmp_path, tiny_images):
+    selection = Selection(datasets=[str(tiny_images)])
+    (dataset,) = selection.sources.folders
+    assert selection.wants(subject(protocol=f"{dataset}/day_left-day_right@1f"))
+    assert not selection.wants(subject())

@@ -1,0 +1,68 @@
+"""The stored runs, and what became of those that cannot be read."""
+
+import warnings
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from pathlib import Path
+
+from vpr_bench.errors import one_line
+from vpr_bench.gate.rerun import Sources
+from vpr_bench.gate.verdict import Judgement, Verdict
+from vpr_bench.report.pictures import RunPictures
+from vpr_bench.runner.store import RunStore, StoredRun, StoreWarning
+
+
+def gather(root: Path) -> tuple[list[StoredRun], list[Verdict]]:
+    """Return the complete runs, oldest first, and an error for each that is damaged or of another schema.
+
+    Parameters
+    ----------
+    root : Path
+        Folder that holds the runs.
+    """
+    with warnings.catch_warnings(record=True) as noted:
+        warnings.simplefilter("always")
+        runs = RunStore(root).runs()
+    faults = []
+    for one in noted:
+        if issubclass(one.category, StoreWarning):
+            faults.append(Verdict("a stored run", "", "error", reasons=[one_line(one.message)]))
+        else:
+            warnings.warn_explicit(one.message, one.category, one.filename, one.lineno)
+    return runs, faults
+
+
+def with_names(
+    judgement: Judgement, runs: Iterable[StoredRun], sources: Sources, warn: Callable[[str], None]
+) -> Judgement:
+    """Name the queries that moved, where the images are here.
+
+    Parameters
+    ----------
+    judgement : Judgement
+        What was found.
+    runs : iterable of StoredRun
+        Those that were judged.
+    sources : Sources
+        Where images of one's own are.
+    warn : callable
+        Told once, in one line, why there are no names.
+    """
+    by_folder, told = {run.folder: run for run in runs}, set[str]()
+
+    def once(message: str) -> None:
+        if message not in told:
+            told.add(message)
+            warn(message)
+
+    def named(verdict: Verdict) -> Verdict:
+        moved = {*verdict.lost, *verdict.gained, *(one.query for one in verdict.changed)}
+        run = by_folder.get(verdict.run) if verdict.run else None
+        if not moved or run is None:
+            return verdict
+        pictures = RunPictures(run, once, sources.folders.get(run.protocol.dataset))
+        if pictures.case is None:
+            return verdict
+        return replace(verdict, names={query: pictures.query_name(query) for query in sorted(moved)})
+
+    return replace(judgement, verdicts=[named(one) for one in judgement.verdicts])

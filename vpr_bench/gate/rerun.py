@@ -1,0 +1,117 @@
+"""Running what a baseline lists, exactly as it was recorded."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from vpr_bench.cores import available_cores
+from vpr_bench.dataset.load import Case, load_case
+from vpr_bench.errors import UsageError, VprBenchError, one_line
+from vpr_bench.gate.cell import Cell, other_images
+from vpr_bench.gate.judging import error
+from vpr_bench.gate.verdict import Verdict
+from vpr_bench.method.build import BuiltMethod, build_method
+from vpr_bench.method.trust import UntrustedError, registered_only
+from vpr_bench.runner.run import RunOptions, run
+from vpr_bench.runner.store import RunStore, StoredRun
+
+Say = Callable[[str], None]
+
+
+@dataclass(frozen=True)
+class Sources:
+    """Where things are that the ids in a baseline do not find.
+
+    Attributes
+    ----------
+    methods : dict
+        Method id to what the user called it, such as ``path/to/file.py:Class``; their code may be run, though they are
+        not installed.
+    folders : dict
+        Dataset id to the folder that holds it, for datasets of one's own.
+    """
+
+    methods: dict[str, str] = field(default_factory=dict)
+    folders: dict[str, str] = field(default_factory=dict)
+
+    def case(self, cell: Cell) -> Case:
+        """Load the images and places of a cell.
+
+        Raises
+        ------
+        UsageError
+            If there is no such dataset or protocol.
+        DataError
+            If they are missing, damaged, or not those of the cell.
+        """
+        asked = cell.asked
+        folder = self.folders.get(asked.dataset)
+        pairing = f"{asked.pairing}@{asked.reach}"
+        case = load_case(folder, pairing, unmatched=asked.unmatched) if folder else load_case(cell.protocol)
+        if case.digest != cell.dataset:
+            raise other_images(cell, case.digest, f"in {case.folder}")
+        return case
+
+    def method(self, cell: Cell) -> BuiltMethod:
+        """Build the method of a cell.
+
+        Raises
+        ------
+        UsageError
+            If it does not exist, is not installed and not named by the user, or does not take these parameters.
+        """
+        name = self.methods.get(cell.method, cell.method)
+        try:
+            with registered_only(self.methods.values()):
+                built = build_method(name, cell.parameters, cell.seed)
+        except UntrustedError as refused:
+            raise UsageError(f"{refused} Name it with --method.") from None
+        if built.label != cell.label:
+            raise UsageError(f"The baseline's {cell.label!r} is now called {built.label!r}. Record it with --update.")
+        return built
+
+
+def run_cells(
+    cells: Iterable[Cell], root: Path, sources: Sources, say: Say = lambda told: None
+) -> tuple[list[StoredRun], list[Verdict]]:
+    """Run the cells that are not stored yet, each as it was recorded.
+
+    Parameters
+    ----------
+    cells : iterable of Cell
+        What to run.
+    root : Path
+        Folder that holds the runs.
+    sources : Sources
+        Where methods and images are.
+    say : callable
+        Told, in one line, what is being done.
+
+    Returns
+    -------
+    runs : list of StoredRun
+        By the methods and on the images that are here now.
+    errors : list of Verdict
+        On the cells that could not be run.
+    """
+    runs, errors = [], []
+    for cell in cells:
+        say(one_line(f"{cell.label} on {cell.protocol}"))
+        try:
+            runs.append(run_cell(cell, root, sources))
+        except VprBenchError as fault:
+            errors.append(error(cell.label, cell.protocol, fault))
+    return runs, errors
+
+
+def run_cell(cell: Cell, root: Path, sources: Sources) -> StoredRun:
+    """Run one cell, or return the stored run; parameters as of :func:`run_cells`.
+
+    Raises
+    ------
+    VprBenchError
+        If it cannot be run.
+    """
+    built, case = sources.method(cell), sources.case(cell)
+    options = RunOptions(seed=cell.seed, k=cell.k, threads=max(1, min(cell.threads, available_cores())))
+    return run(case, built, RunStore(root), options)

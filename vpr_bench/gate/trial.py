@@ -1,0 +1,107 @@
+"""One method on one protocol, run and held against the baseline."""
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from vpr_bench.dataset.load import Case, load_case
+from vpr_bench.dataset.request import own_folder
+from vpr_bench.errors import DataError, UsageError
+from vpr_bench.files.lock import held
+from vpr_bench.gate.baseline import Baseline, read_baseline, write_baseline
+from vpr_bench.gate.cell import Cell, cell_id, other_images
+from vpr_bench.gate.gathering import with_names
+from vpr_bench.gate.judging import judge_run
+from vpr_bench.gate.rerun import Sources
+from vpr_bench.gate.rules import Overrides
+from vpr_bench.gate.update import updated
+from vpr_bench.gate.verdict import Judgement, Verdict
+from vpr_bench.method.build import build_method
+from vpr_bench.runner.run import RunOptions, run
+from vpr_bench.runner.store import RunStore, StoredRun
+
+_SEED = 0
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What is run.
+
+    Attributes
+    ----------
+    method, dataset, protocol : str
+        As on the command line; without a protocol, the dataset's first.
+    parameters : dict
+        Of the method.
+    seed, k : int or None
+        None for those of the baseline.
+    """
+
+    method: str
+    dataset: str
+    protocol: str | None
+    parameters: dict[str, Any]
+    seed: int | None
+    k: int | None
+
+    def judge(self, baseline: Path, runs: Path, overrides: Overrides) -> Verdict:
+        """Run, or take the stored run, and judge it by the baseline.
+
+        Parameters
+        ----------
+        baseline : Path
+            The file.
+        runs : Path
+            Folder that holds the runs.
+        overrides : Overrides
+            Instead of the file's rules.
+
+        Raises
+        ------
+        VprBenchError
+            If the baseline does not hold it, or it cannot be run.
+        """
+        old, case = read_baseline(baseline), self._case()
+        cell = old.cells.get(self._id(case))
+        if cell is None:
+            raise DataError(
+                f"{baseline} holds no {self._id(case)!r}. Record it: run this test once with --vpr-update, and commit "
+                "the file."
+            )
+        self._check(cell, case)
+        rules, found = overrides.apply(old.rules_of(cell)), self._run(case, cell, runs)
+        verdict = judge_run(cell, found, rules)
+        sources = Sources(folders={case.protocol.dataset: self.dataset} if own_folder(self.dataset) else {})
+        return with_names(Judgement([verdict]), [found], sources, lambda told: None).verdicts[0]
+
+    def record(self, baseline: Path, runs: Path) -> None:
+        """Run, or take the stored run, and record it in the baseline; parameters and errors as of :meth:`judge`."""
+        case = self._case()
+        old = read_baseline(baseline) if baseline.exists() else Baseline()
+        found = self._run(case, old.cells.get(self._id(case)), runs)
+        with held(runs / f"{baseline.name}.lock", "Waiting for another test that writes the baseline"):
+            old = read_baseline(baseline) if baseline.exists() else Baseline()
+            name = self._id(case)
+            if name in old.cells:
+                self._check(old.cells[name], case)
+            write_baseline(updated(old, [found], only=[name]).baseline, baseline)
+
+    def _case(self) -> Case:
+        return load_case(self.dataset, self.protocol)
+
+    def _id(self, case: Case) -> str:
+        return cell_id(build_method(self.method, self.parameters, self.seed).label, str(case.protocol))
+
+    def _run(self, case: Case, cell: Cell | None, runs: Path) -> StoredRun:
+        """Run with the seed and k of the cell, unless the caller names others."""
+        seed = self.seed if self.seed is not None else cell.seed if cell else _SEED
+        k = self.k if self.k is not None else cell.k if cell else None
+        return run(case, build_method(self.method, self.parameters, seed), RunStore(runs), RunOptions(seed=seed, k=k))
+
+    def _check(self, cell: Cell, case: Case) -> None:
+        """Refuse what is not the same thing as the cell."""
+        if case.digest != cell.dataset:
+            raise other_images(cell, case.digest, f"in {case.folder}")
+        for name, asked, recorded in (("seed", self.seed, cell.seed), ("k", self.k, cell.k)):
+            if asked not in (None, recorded):
+                raise UsageError(f"The baseline's {cell.id!r} has {name} {recorded}. Got {asked} instead.")
