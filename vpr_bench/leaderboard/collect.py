@@ -38,9 +38,9 @@ def collect(run: StoredRun, protocol: Protocol | None = None) -> Entry:
     return entry
 
 
-def cell_of(run: StoredRun) -> Cell:
-    """Return the cell that a run's row is for."""
-    return run.record.label, str(run.protocol), run.record.machine.fingerprint
+def cell_of(run: StoredRun, protocol: Protocol | None = None) -> Cell:
+    """Return the cell that a run's row is for; the protocol is as in :func:`collect`."""
+    return run.record.label, str(protocol or run.protocol), run.record.machine.fingerprint
 
 
 def _row(run: StoredRun, protocol: Protocol) -> Entry:

@@ -4,12 +4,15 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from datetime import datetime
+from pathlib import Path
 
-from vpr_bench.errors import DamagedError, VprBenchError
+from vpr_bench.errors import DamagedError, UsageError, VprBenchError
 from vpr_bench.leaderboard.collect import cell_of, collect
 from vpr_bench.leaderboard.entry import Cell, Entry, moment
+from vpr_bench.leaderboard.protocols import protocols_of
 from vpr_bench.progress import track
 from vpr_bench.runner.store import StoredRun
+from vpr_bench.types.protocol import Protocol
 
 Told = Callable[[VprBenchError], None]
 
@@ -43,7 +46,8 @@ def merge(existing: Sequence[Entry], runs: Sequence[StoredRun], leave_out: Told 
     """Add the rows of runs to those there are.
 
     Of one cell, a complete run comes before a partial one, then the newer one; what a row says already is not
-    computed again.
+    computed again. A run has a row on each of :func:`~vpr_bench.leaderboard.protocols.protocols_of` that its places
+    say anything about.
 
     Parameters
     ----------
@@ -61,9 +65,11 @@ def merge(existing: Sequence[Entry], runs: Sequence[StoredRun], leave_out: Told 
     """
     held = {entry.cell: entry for entry in existing}
     found: dict[Cell, Entry] = {}
-    for run in track(_wanted(held, runs, leave_out), "Scoring"):
-        with _leaving_out(leave_out):
-            found[cell_of(run)] = collect(run)
+    failed: set[Path] = set()
+    for run, protocol in track(_wanted(held, runs, leave_out), "Scoring"):
+        with _leaving_out(leave_out, failed, run), _served(run, protocol):
+            if run.folder not in failed:
+                found[cell_of(run, protocol)] = collect(run, protocol)
     rows = {**held, **found}
     whole = {cell[:2] for cell, entry in rows.items() if not entry.partial}
     stay = {cell: entry for cell, entry in rows.items() if not entry.partial or cell[:2] not in whole}
@@ -76,15 +82,33 @@ def merge(existing: Sequence[Entry], runs: Sequence[StoredRun], leave_out: Told 
     )
 
 
-def _wanted(held: dict[Cell, Entry], runs: Sequence[StoredRun], leave_out: Told | None) -> list[StoredRun]:
+def _wanted(
+    held: dict[Cell, Entry], runs: Sequence[StoredRun], leave_out: Told | None
+) -> list[tuple[StoredRun, Protocol]]:
     """Return the runs whose rows are to be made: the best of each cell, if it comes before the row there is."""
-    best: dict[Cell, tuple[tuple[bool, datetime, str], StoredRun]] = {}
+    best: dict[Cell, tuple[tuple[bool, datetime, str], StoredRun, Protocol]] = {}
     for run in runs:
-        with _leaving_out(leave_out):
-            cell, precedence = cell_of(run), _precedence(run)
-            if cell not in best or precedence > best[cell][0]:
-                best[cell] = precedence, run
-    return [run for cell, (precedence, run) in best.items() if cell not in held or precedence > held[cell].precedence]
+        with _leaving_out(leave_out, set(), run):
+            precedence = _precedence(run)
+            for protocol in protocols_of(run):
+                cell = cell_of(run, protocol)
+                if cell not in best or precedence > best[cell][0]:
+                    best[cell] = precedence, run, protocol
+    return [
+        (run, protocol)
+        for cell, (precedence, run, protocol) in best.items()
+        if cell not in held or precedence > held[cell].precedence
+    ]
+
+
+@contextmanager
+def _served(run: StoredRun, protocol: Protocol) -> Iterator[None]:
+    """Pass over a protocol that the run was not asked for, and does not have the places for."""
+    try:
+        yield
+    except UsageError:
+        if protocol == run.protocol:
+            raise
 
 
 def _precedence(run: StoredRun) -> tuple[bool, datetime, str]:
@@ -97,10 +121,11 @@ def _precedence(run: StoredRun) -> tuple[bool, datetime, str]:
 
 
 @contextmanager
-def _leaving_out(told: Told | None) -> Iterator[None]:
+def _leaving_out(told: Told | None, failed: set[Path], run: StoredRun) -> Iterator[None]:
     try:
         yield
     except VprBenchError as error:
         if told is None:
             raise
+        failed.add(run.folder)
         told(error)

@@ -50,7 +50,9 @@ def test_what_is_there_already_is_not_computed_again(make_run, monkeypatch):
     entries = merge([], runs).entries
     collected = []
     collect = merge_module.collect
-    monkeypatch.setattr(merge_module, "collect", lambda run: collected.append(run.record.label) or collect(run))
+    monkeypatch.setattr(
+        merge_module, "collect", lambda run, *on: collected.append(run.record.label) or collect(run, *on)
+    )
     assert merge(entries, runs).entries == entries
     assert collected == []
     merge(entries, [*runs, make_run("random")])
