@@ -13,7 +13,9 @@ Format = Literal["table", "json", "csv", "markdown"]
 """How results are written to stdout."""
 
 FormatOption = Annotated[Format, typer.Option("--format", "-f", help="How to write the result to stdout.")]
-OutputOption = Annotated[Path, typer.Option("--output", "-o", help="Folder that holds the runs.", file_okay=False)]
+OutputOption = Annotated[
+    Path, typer.Option("--output", "-o", "--runs", help="Folder that holds the runs.", file_okay=False)
+]
 RadiusOption = Annotated[
     list[str] | None,
     typer.Option(help="Radius instead of the protocol's own; several (0,1,2,5 or 0..10) are swept.", metavar="R[,R…]"),

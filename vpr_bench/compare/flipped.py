@@ -6,9 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from vpr_bench.compare.pair import RunPair
+from vpr_bench.metrics.answers import without_soft
 from vpr_bench.metrics.flips import flips
-from vpr_bench.runner.store import StoredRun
-from vpr_bench.types.ground_truth import GroundTruth
 from vpr_bench.types.protocol import UNMEASURED
 
 
@@ -60,30 +59,20 @@ def flipped_queries(pair: RunPair) -> tuple[list[FlippedQuery], list[FlippedQuer
         Only the first run is right, and only the second; by ascending number.
     """
     found = flips(*pair.answers)
-    counted = [_column_that_counts(run, pair.truth) for run in (pair.first, pair.second)]
+    ranked = [without_soft(run.indices, run.scores, pair.truth) for run in (pair.first, pair.second)]
 
     def describe(query: int, *, gained: bool) -> FlippedQuery:
         row = int(np.searchsorted(pair.first.queries, query))
-        first, second = _best(pair.first, row, counted[0]), _best(pair.second, row, counted[1])
+        first, second = (_best(*answers, row) for answers in ranked)
         return FlippedQuery(query, gained, first, second, _nearest_truth(pair, row))
 
     lost = [describe(query, gained=False) for query in found.lost.tolist()]
     return lost, [describe(query, gained=True) for query in found.gained.tolist()]
 
 
-def _column_that_counts(run: StoredRun, truth: GroundTruth) -> NDArray[np.intp]:
-    """(n,) int: which of the ranked answers to each query is the first that is no soft match."""
-    rows = np.arange(len(run.indices))
-    if truth.soft is None:
-        return np.zeros_like(rows)
-    columns: NDArray[np.intp] = truth.soft.contains(rows[:, None], run.indices).argmin(axis=1)
-    return columns
-
-
-def _best(run: StoredRun, row: int, columns: NDArray[np.intp]) -> Best:
-    column = int(columns[row])
-    reference = int(run.indices[row, column])
-    return Best(None, None) if reference < 0 else Best(reference, float(run.scores[row, column]))
+def _best(indices: NDArray[np.int64], scores: NDArray[np.floating], row: int) -> Best:
+    reference = int(indices[row, 0])
+    return Best(None, None) if reference < 0 else Best(reference, float(scores[row, 0]))
 
 
 def _nearest_truth(pair: RunPair, row: int) -> int:

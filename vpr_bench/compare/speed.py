@@ -11,10 +11,8 @@ from vpr_bench.errors import DataError, blaming
 from vpr_bench.metrics.bootstrap import Interval
 from vpr_bench.metrics.latency import TOTAL
 from vpr_bench.metrics.ratios import paired_ratio
+from vpr_bench.runner.fair_times import doubt
 from vpr_bench.runner.store import StoredRun
-
-BUSY = 0.1
-"""Share of the machine's processor time that other processes may take before a run's times are doubted."""
 
 _DECODE = "decode"  # reading the image: no part of the method
 _ORDER = ("encode", "match", "rerank")
@@ -93,7 +91,7 @@ def compare_speed(first: StoredRun, second: StoredRun, resamples: int = 2000, se
 
 def _refusal(first: StoredRun, second: StoredRun) -> str:
     machines = first.record.machine, second.record.machine
-    if machines[0].fingerprint == machines[1].fingerprint and first.record.key.threads == second.record.key.threads:
+    if machines[0].fingerprint == machines[1].fingerprint:
         return ""
     return f"A ran on {machines[0]}; B on {machines[1]}"
 
@@ -155,11 +153,8 @@ def signed_rank_p_value(first: NDArray[np.float64], second: NDArray[np.float64])
 def _doubts(first: StoredRun, second: StoredRun) -> list[str]:
     found = []
     for name, run in (("A", first), ("B", second)):
-        elsewhere = run.record.provenance.elsewhere
-        if elsewhere is None:
-            found.append(f"what else the machine did during {name} was not noted")
-        elif elsewhere > BUSY:
-            found.append(f"other processes took {elsewhere:.0%} of the machine's processor time during {name}")
         if run.record.resumed:
             found.append(f"{name} was interrupted and continued, so that its times are of several processes")
+        elif said := doubt(run.record.provenance.elsewhere):
+            found.append(f"{said} during {name}")
     return found

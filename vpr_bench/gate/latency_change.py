@@ -4,9 +4,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from vpr_bench.gate.cell import Cell
-
-QUIET = 0.1
-"""Largest share of processor time that other processes may take for times to count."""
+from vpr_bench.runner.fair_times import doubt
 
 NOTABLE = 1.25
 """How many times as long, or as short, is told though nobody asked for times to be judged."""
@@ -85,8 +83,6 @@ def _doubt(before: Cell, after: Cell) -> str:
     if before.machine.fingerprint != after.machine.fingerprint:
         return "they were measured on different machines"
     for when, cell in (("the baseline", before), ("the run", after)):
-        if cell.machine.elsewhere is None:
-            return f"what else the machine did was not noted with {when}"
-        if cell.machine.elsewhere > QUIET:
-            return f"other processes took {cell.machine.elsewhere:.0%} of the machine during {when}"
+        if said := doubt(cell.machine.elsewhere):
+            return f"{said} during {when}"
     return ""

@@ -8,7 +8,7 @@ from vpr_bench.errors import UsageError
 from vpr_bench.gate.answered import Answered
 from vpr_bench.gate.cell import Cell, CellMachine, Columns, written_metrics
 from vpr_bench.gate.lines import to_lines
-from vpr_bench.metrics.answers import NEVER
+from vpr_bench.metrics.answers import NEVER, without_soft
 from vpr_bench.metrics.definitions import METRICS, compute
 from vpr_bench.metrics.latency import latency
 from vpr_bench.report.rows import answers_of
@@ -42,6 +42,7 @@ def record_cell(run: StoredRun, protocol: Protocol | None = None, metrics: Itera
     if record.partial:
         raise UsageError(f"{run.folder} asked only some of the queries (--limit): a baseline needs all of them.")
     answers = answers_of(run, protocol)
+    best, _ = without_soft(run.indices, run.scores, run.places.ground_truth(protocol))
     usual = [name for name, metric in METRICS.items() if metric.function is not None]
     source = record.provenance.source
     return Cell(
@@ -59,7 +60,7 @@ def record_cell(run: StoredRun, protocol: Protocol | None = None, metrics: Itera
         n_references=record.n_references,
         depth=None if answers.depth == NEVER else answers.depth,
         metrics=written_metrics(compute(dict.fromkeys([*usual, *metrics]), answers)),
-        answers=_columns(Answered.of(run.indices[:, 0], answers)),
+        answers=_columns(Answered.of(best[:, 0], answers)),
         latency=times(run),
         machine=_machine(record),
         package=record.machine.libraries.get("vpr-bench", "unknown"),

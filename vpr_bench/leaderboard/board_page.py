@@ -7,10 +7,11 @@ from vpr_bench.dataset.card import Published
 from vpr_bench.leaderboard.collect import RESAMPLES
 from vpr_bench.leaderboard.markdown import link, plain
 from vpr_bench.leaderboard.marks import NO_TIME, TIED, name_marks, name_notes
-from vpr_bench.leaderboard.standing import BUSY, SIGNIFICANCE, Board, Standing
+from vpr_bench.leaderboard.standing import SIGNIFICANCE, Board, Standing
 from vpr_bench.metrics.bootstrap import Interval
 from vpr_bench.report.grid import markdown_table
 from vpr_bench.report.numbers import share, short_share
+from vpr_bench.runner.fair_times import BUSY
 
 _METRICS = ("recall@1", "recall@5", "pr_auc", "pr_auc_matched")
 _HEAD = ("rank", "method", *_METRICS, "p50 ms", "p95 ms", "machine")

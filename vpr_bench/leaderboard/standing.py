@@ -10,10 +10,8 @@ from vpr_bench.errors import DataError, VprBenchError, one_line
 from vpr_bench.leaderboard.entry import Entry
 from vpr_bench.metrics.mcnemar import mcnemar
 from vpr_bench.report.table import published_for
+from vpr_bench.runner.fair_times import doubt
 from vpr_bench.types.protocol import Protocol
-
-BUSY = 0.1
-"""Above this share of processor time elsewhere, a latency is not shown as a measurement of the method."""
 
 SIGNIFICANCE = 0.05
 """A difference from the best with a smaller p-value is taken for real."""
@@ -146,8 +144,7 @@ def _is_ranked(entry: Entry) -> bool:
 
 
 def _is_fair(entry: Entry) -> bool:
-    measured = "latency_total_p50" in entry.latency
-    return measured and entry.elsewhere is not None and entry.elsewhere <= BUSY
+    return "latency_total_p50" in entry.latency and not doubt(entry.elsewhere)
 
 
 def _check_comparable(protocol: Protocol, entries: list[Entry]) -> None:

@@ -147,8 +147,7 @@ class Answers:
             raise ValueError(f"reference indices must lie in [0, {n_references}), or be -1 for no answer")
         k = indices.shape[1]
         cut_off = (indices[:, -1] >= 0) & (k < n_references)
-        if ground_truth.soft is not None:
-            indices, scores = _without(indices, scores, ground_truth.soft.contains(np.arange(n)[:, None], indices))
+        indices, scores = without_soft(indices, scores, ground_truth)
         known = (indices >= 0).sum(axis=1)[cut_off].min(initial=NEVER)
         if known == 0:
             raise UsageError(f"All {k} answers to a query are soft matches: what comes next is not known. Raise --k.")
@@ -201,10 +200,26 @@ class Answers:
         return Counts.sweep(self.correct[answered], self.score[answered], self.weight[..., answered])
 
 
-def _without(
-    indices: NDArray[np.int64], scores: NDArray[np.floating], passed_over: NDArray[np.bool_]
+def without_soft(
+    indices: NDArray[np.int64], scores: NDArray[np.floating], ground_truth: GroundTruth
 ) -> tuple[NDArray[np.int64], NDArray[np.floating]]:
-    """Take answers out of (n, k) ranked ones: the others move up, and the end is padded."""
+    """Take soft matches out of ranked answers, so that the first column holds the answers that count.
+
+    Parameters
+    ----------
+    indices, scores : (n_queries, k)
+        As in :meth:`Answers.from_matches`.
+    ground_truth : GroundTruth
+        Of the same queries.
+
+    Returns
+    -------
+    indices, scores : (n_queries, k)
+        The other answers moved up, and the end padded.
+    """
+    if ground_truth.soft is None:
+        return indices, scores
+    passed_over = ground_truth.soft.contains(np.arange(len(indices))[:, None], indices)
     order = np.argsort(passed_over, axis=1, kind="stable")
     gone = np.take_along_axis(passed_over, order, axis=1)
     indices = np.where(gone, -1, np.take_along_axis(indices, order, axis=1))

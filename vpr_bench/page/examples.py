@@ -5,11 +5,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from vpr_bench.metrics.answers import without_soft
 from vpr_bench.report.rows import answers_of
 from vpr_bench.runner.store import StoredRun
 from vpr_bench.types.ground_truth import GroundTruth
 from vpr_bench.types.places import Places
 from vpr_bench.types.protocol import Protocol
+
+Ranked = tuple[NDArray[np.int64], NDArray[np.floating]]
 
 FAILURES, SUCCESSES = 9, 3
 """How many of each are shown of a run."""
@@ -64,21 +67,21 @@ def examples_of(run: StoredRun, protocol: Protocol) -> Examples:
     wrong = wrong[np.argsort(-answers.score[wrong], kind="stable")][:FAILURES]
     right = np.flatnonzero(answers.correct)
     right = right[np.argsort(answers.score[right], kind="stable")][:SUCCESSES]
-    shown = [[_example(run, protocol, truth, int(row)) for row in rows[chosen]] for chosen in (wrong, right)]
+    ranked = without_soft(run.indices, run.scores, truth)
+    shown = [[_example(run, protocol, truth, ranked, int(row)) for row in rows[chosen]] for chosen in (wrong, right)]
     return Examples(*shown)
 
 
-def _example(run: StoredRun, protocol: Protocol, truth: GroundTruth, row: int) -> Example:
-    indices, scores = run.indices[row], run.scores[row]
-    first = int(np.argmin(truth.soft.contains(row, indices))) if truth.soft is not None else 0  # soft ones do not count
-    answer = int(indices[first]) if indices[first] >= 0 else None
+def _example(run: StoredRun, protocol: Protocol, truth: GroundTruth, ranked: Ranked, row: int) -> Example:
+    indices, scores = ranked[0][row], ranked[1][row]
+    answer = int(indices[0]) if indices[0] >= 0 else None
     true = _nearest(truth[row], row, run.places)
     found = np.flatnonzero(indices == true) if true is not None else np.empty(0, np.int64)
     measured = answer is not None and protocol.unit in ("f", "m")
     return Example(
         query=int(run.queries[row]),
         answer=answer,
-        score=None if answer is None else float(scores[first]),
+        score=None if answer is None else float(scores[0]),
         truth=true,
         truth_rank=int(found[0]) + 1 if len(found) else None,
         truth_score=float(scores[found[0]]) if len(found) else None,

@@ -3,6 +3,8 @@
 import hashlib
 import platform
 import re
+import shutil
+import subprocess
 from importlib.metadata import PackageNotFoundError, requires, version
 from pathlib import Path
 
@@ -108,8 +110,26 @@ def _blas() -> list[str]:
 
 def _processor() -> str:
     information = Path("/proc/cpuinfo")
-    if information.is_file():
-        for line in information.read_text("utf-8", errors="replace").splitlines():
-            if line.startswith("model name"):
-                return line.partition(":")[2].strip()
-    return platform.processor() or platform.machine()
+    found = _from_cpuinfo(information.read_text("utf-8", errors="replace")) if information.is_file() else _from_sysctl()
+    return found or platform.processor() or platform.machine()
+
+
+def _from_cpuinfo(text: str) -> str:
+    """Return the processor's name; on ARM, which gives none, the numbers of its maker and its kind."""
+    facts: dict[str, str] = {}
+    for line in text.splitlines():
+        name, _, value = line.partition(":")
+        facts.setdefault(name.strip(), value.strip())
+    numbers = [facts[name] for name in ("CPU implementer", "CPU part") if name in facts]
+    return facts.get("model name") or " ".join([platform.machine(), *numbers] if numbers else [])
+
+
+def _from_sysctl() -> str:
+    """Return the processor's name as macOS knows it; nothing elsewhere."""
+    sysctl = shutil.which("sysctl")
+    if sysctl is None:
+        return ""
+    done = subprocess.run(  # noqa: S603
+        [sysctl, "-n", "machdep.cpu.brand_string"], capture_output=True, text=True, check=False
+    )
+    return done.stdout.strip()

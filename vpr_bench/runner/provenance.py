@@ -60,7 +60,7 @@ class Provenance(BaseModel):
         UTC time at which fitting began, ISO 8601; of a run that was continued, at which it went on.
     elsewhere : float
         Share of the machine's processor time that other processes took while queries were asked, in [0, 1]. Where it
-        is not near 0, times say little.
+        is not near 0, times say little. None for a run that was continued.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")

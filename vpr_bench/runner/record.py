@@ -115,7 +115,7 @@ def read_record(path: Path) -> RunRecord:
     try:
         with disk_errors(path, "read"):
             content = json.loads(path.read_text("utf-8"))
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise DamagedError(f"{path} is damaged: {error}.") from None
     found = content.get("schema_version") if isinstance(content, dict) else None
     if type(found) is not int:  # True is an int too

@@ -29,7 +29,7 @@ def select_runs(names: Sequence[str] | None, root: Path) -> list[StoredRun]:
         return [select_run(name, root) for name in names]
     runs = RunStore(root).runs()
     if not runs:
-        raise DataError(f"There are no runs under {root}. Make one with `vpr-bench run`, or give --output.")
+        raise DataError(f"There are no runs under {root}. Make one with `vpr-bench run`, or give --runs.")
     return runs
 
 

@@ -72,7 +72,8 @@ def work_on(case: Case, built: BuiltMethod, key: RunKey, work: Path, timeout: fl
         fit_seconds=fit_seconds,
         peak_memory={"fit": fit_peak, "match": memory.bytes},
         machine=describe_machine(key.threads),
-        provenance=provenance.model_copy(update={"elsewhere": round(elsewhere.share, 4)}),
+        # Of a run that was continued, what went on during the other processes is not known.
+        provenance=provenance.model_copy(update={"elsewhere": None if resumed else round(elsewhere.share, 4)}),
         created=utc_now(),
         files={name: sha256_of_file(work / name) for name in contents},
     )

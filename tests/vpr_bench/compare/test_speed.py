@@ -48,7 +48,7 @@ def test_another_machine_is_not_compared(stored, changes):
             {"provenance": Provenance(elsewhere=0.35)},
             "other processes took 35% of the machine's processor time during B",
         ),
-        ({"provenance": Provenance()}, "what else the machine did during B was not noted"),
+        ({"provenance": Provenance()}, "what else the machine did was not noted during B"),
         ({"record": {"resumed": True}}, "B was interrupted and continued"),
     ],
 )

@@ -28,7 +28,7 @@ def test_what_is_allowed_does_not_fail(cells, limit):
     ("facts", "doubt"),
     [
         ({"elsewhere": 0.5}, "other processes took 50%"),
-        ({"elsewhere": None}, "was not noted with the run"),
+        ({"elsewhere": None}, "was not noted during the run"),
         ({"machine": "another"}, "different machines"),
     ],
 )

@@ -7,8 +7,9 @@ from hypothesis import strategies as st
 
 from vpr_bench.dataset.card import DATASETS
 from vpr_bench.errors import DataError
-from vpr_bench.leaderboard.standing import BUSY, boards, pareto
+from vpr_bench.leaderboard.standing import boards, pareto
 from vpr_bench.metrics.mcnemar import mcnemar
+from vpr_bench.runner.fair_times import BUSY
 
 NAN = math.nan
 

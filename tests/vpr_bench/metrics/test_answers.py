@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 
 from vpr_bench.errors import UsageError
-from vpr_bench.metrics.answers import NEVER, Answers
+from vpr_bench.metrics.answers import NEVER, Answers, without_soft
 from vpr_bench.metrics.definitions import compute
 from vpr_bench.types.ground_truth import GroundTruth
 
@@ -129,6 +129,14 @@ def test_soft_matches_are_passed_over():
     assert answers.score.tolist() == [0.8, 0.4, 0.2]
     assert answers.rank.tolist() == [0, 0, NEVER]
     assert answers.depth == 1  # of the second query only one answer counts
+
+
+def test_without_soft_matches_the_others_move_up():
+    truth = GroundTruth.from_lists([[0], [3]], 5).with_soft(GroundTruth.from_lists([[1], []], 5))
+    indices, scores = np.array([[1, 0, 2], [3, 1, -1]]), np.array([[0.9, 0.8, 0.7], [0.6, 0.5, -np.inf]])
+    found = without_soft(indices, scores, truth)
+    assert found[0].tolist() == [[0, 2, -1], [3, 1, -1]]
+    assert found[1].tolist() == [[0.8, 0.7, -np.inf], [0.6, 0.5, -np.inf]]
 
 
 def test_answers_that_are_all_soft_are_refused_where_more_could_have_been_asked_for():

@@ -1,7 +1,7 @@
 import pytest
 
 from vpr_bench.cores import available_cores
-from vpr_bench.runner.machine import Machine, describe_machine, installed
+from vpr_bench.runner.machine import Machine, _from_cpuinfo, _from_sysctl, describe_machine, installed
 
 OLD = {"system": "Linux-6.1", "processor": "A", "cores": 4, "threads": 2, "python": "3.11.7", "libraries": {}}
 
@@ -55,3 +55,21 @@ def test_memory_is_taken_to_the_gib():
     one, other = (Machine.model_validate(OLD | {"memory_bytes": size}) for size in (2**34, 2**34 + 10**6))
     assert one.fingerprint == other.fingerprint
     assert "16 GiB" in str(one)
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("processor\t: 0\nmodel name\t: Fast (TM) 9\n\nprocessor\t: 1\nmodel name\t: Slow 1\n", "Fast (TM) 9"),
+        ("processor : 0\nCPU implementer\t: 0x41\nCPU part\t: 0xd0c\n", "aarch64 0x41 0xd0c"),
+        ("processor : 0\n", ""),
+    ],
+)
+def test_a_processor_by_its_name_or_by_its_numbers(monkeypatch, text, name):
+    monkeypatch.setattr("platform.machine", lambda: "aarch64")
+    assert _from_cpuinfo(text) == name
+
+
+def test_without_sysctl_it_says_nothing(monkeypatch):
+    monkeypatch.setattr("shutil.which", lambda name: None)
+    assert _from_sysctl() == ""

@@ -120,3 +120,9 @@ def test_a_schema_version_is_a_whole_number(old, version):
     spoil(old, lambda content: content.update(schema_version=version))
     with pytest.raises(DamagedError, match="states no schema version"):
         StoredRun.open(old)
+
+
+def test_a_record_nested_too_deeply_is_damaged(old):
+    (old / "run.json").write_text('{"schema_version": 2, "key": ' + "[" * 200_000)
+    with pytest.raises(DamagedError, match="is damaged"):
+        StoredRun.open(old)

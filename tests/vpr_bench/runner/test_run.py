@@ -150,6 +150,7 @@ def test_interrupted_run_is_continued(case, store, built, mean_colour):
     assert second.fits == 0  # the fitted map was kept
     assert first.matches + second.matches == len(case.queries) + 2 * 3  # every query once, and two warm-ups
     assert stored.record.resumed
+    assert stored.record.provenance.elsewhere is None  # nobody knows for the first process
     assert stored.indices[:, 0].tolist() == list(range(len(case.queries)))
 
 
