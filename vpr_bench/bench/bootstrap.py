@@ -1,6 +1,5 @@
 """How long it takes to give every metric its interval, at full size."""
 
-import math
 import platform
 import time
 from concurrent.futures import ProcessPoolExecutor
@@ -13,6 +12,7 @@ from vpr_bench.bench.memory import peak_rss_bytes
 from vpr_bench.metrics.answers import NEVER, Answers
 from vpr_bench.metrics.bootstrap import bootstrap
 from vpr_bench.metrics.definitions import METRICS
+from vpr_bench.metrics.undefined import or_none
 from vpr_bench.runner.resources import limit_threads
 
 _DEPTH = 20  # as many answers per query as a run keeps by default
@@ -75,9 +75,7 @@ def _measure(queries: int, resamples: int, seed: int) -> dict[str, Any]:
         "seconds": seconds,
         "processor_seconds": busy,
         "peak_rss_bytes": peak_rss_bytes(),
-        "intervals": {name: [_known(one.value), _known(one.low), _known(one.high)] for name, one in intervals.items()},
+        "intervals": {
+            name: [or_none(one.value), or_none(one.low), or_none(one.high)] for name, one in intervals.items()
+        },
     }
-
-
-def _known(value: float) -> float | None:
-    return None if math.isnan(value) else value

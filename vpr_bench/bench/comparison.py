@@ -1,6 +1,5 @@
 """What came out of timing methods side by side."""
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -12,6 +11,7 @@ from vpr_bench.bench.variants import Variant
 from vpr_bench.metrics.bootstrap import Interval
 from vpr_bench.metrics.latency import TOTAL, latency
 from vpr_bench.metrics.ratios import paired_ratio
+from vpr_bench.metrics.undefined import or_none
 from vpr_bench.runner.machine import Machine
 
 RERANK, BEFORE_RERANK = "rerank", "before_rerank"
@@ -126,11 +126,7 @@ class Comparison:
             "fit_seconds": one.fit_seconds,
             "latency_ms": one.latency(),
             "ratio_to_first": {
-                name: {"value": _known(ratio.value), "low": _known(ratio.low), "high": _known(ratio.high)}
+                name: {"value": or_none(ratio.value), "low": or_none(ratio.low), "high": or_none(ratio.high)}
                 for name, ratio in one.ratios(self.variants[0]).items()
             },
         }
-
-
-def _known(value: float) -> float | None:
-    return None if math.isnan(value) else value

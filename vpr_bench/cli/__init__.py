@@ -65,7 +65,8 @@ def script() -> NoReturn:
 def _explain(error: Exception) -> str:
     """Put into words what the command-line library refuses, and what we did not foresee."""
     if hasattr(error, "format_message"):
-        return f"{error.format_message().rstrip('.')}. See `vpr-bench --help`."
+        command = getattr(getattr(error, "ctx", None), "command_path", "vpr-bench")
+        return f"{error.format_message().rstrip('.')}. See `{command} --help`."
     if os.environ.get("VPR_BENCH_DEBUG"):
         raise error
     return f"unforeseen {type(error).__name__}: {error}. Set VPR_BENCH_DEBUG=1 to see where, and please report it."

@@ -64,7 +64,7 @@ def compare(
         comparison = compare_runs(
             first, second, metrics, radius=radius, unmatched=unmatched, resamples=resamples, seed=seed
         )
-        pictures = RunPictures(first, lambda message: say(f"warning: {message}"), dataset)
+        pictures = RunPictures(first, lambda message: say(f"warning: {message}"), dataset, render=plot is not None)
         _print(comparison, pictures, form)
         if plot is not None:
             _draw(comparison, pictures, plot)

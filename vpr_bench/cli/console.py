@@ -1,11 +1,14 @@
 """Where things are printed: results on stdout, everything else on stderr."""
 
+import os
 import sys
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from functools import cache
-from typing import TYPE_CHECKING, TextIO
+from typing import TYPE_CHECKING, NoReturn, TextIO
+
+from vpr_bench.errors import DataError
 
 if TYPE_CHECKING:
     from rich.console import Console, RenderableType
@@ -22,17 +25,38 @@ def stderr() -> "Console":
 
 
 def show(result: "RenderableType") -> None:
-    """Print a result for people on stdout."""
+    """Print a result for people on stdout; what is wider than a terminal is left to it to wrap."""
     from rich.console import Console
 
     terminal = sys.stdout is not None and sys.stdout.isatty()  # None where it was closed
-    Console(width=None if terminal else _WIDE, highlight=False).print(result)
+    with _on_stdout():
+        Console(width=None if terminal else _WIDE, highlight=False).print(result, crop=False)
 
 
 def write(text: str) -> None:
     """Print a result for programs on stdout, as it is."""
     if sys.stdout is not None:
-        sys.stdout.write(text + "\n")
+        with _on_stdout():
+            sys.stdout.write(text + "\n")
+            sys.stdout.flush()
+
+
+@contextmanager
+def _on_stdout() -> Iterator[None]:
+    """End well if the reader has read enough; say so if it is a file on a disk that is full."""
+    try:
+        yield
+    except BrokenPipeError:
+        _reader_has_gone()
+    except SystemExit:  # by the library that draws tables, which has met the same
+        _reader_has_gone()
+    except OSError as error:
+        raise DataError(f"Cannot write to stdout: {error.strerror or error}.") from None
+
+
+def _reader_has_gone() -> NoReturn:
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    raise SystemExit(0)
 
 
 def say(message: str) -> None:

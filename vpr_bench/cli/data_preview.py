@@ -46,7 +46,7 @@ def preview(
         raise UsageError(f"The picture is a PNG: --output must end in .png. Got {str(output)!r} instead.")
     with progress_bars():
         case = load_case(dataset, protocol, edition, radius)
-        if case.protocol.edition == "simulated":
+        if case.protocol.simulated:
             say(f"{case.protocol}: SIMULATED images, rendered by vpr-bench")
         file = output or Path(file_name(case.protocol))
         write(str(draw_contact_sheet(case, file, count, seed)))

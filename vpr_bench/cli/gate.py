@@ -15,7 +15,6 @@ from vpr_bench.cli.parameters import find_here, split_assignment
 from vpr_bench.errors import UsageError
 
 if TYPE_CHECKING:
-    from vpr_bench.gate.baseline import Baseline
     from vpr_bench.gate.evidence import Evidence
     from vpr_bench.gate.rules import Overrides
     from vpr_bench.gate.verdict import Judgement
@@ -49,9 +48,11 @@ def gate(
         typer.Option("--method", "-m", help="Only this method (repeat); a file.py:Class is run only if named here."),
     ] = None,
     dataset: Annotated[
-        list[str] | None, typer.Option(help="Only this dataset (repeat): name, dataset:edition, or a folder.")
+        list[str] | None, typer.Option(help="Only this dataset (repeat): gardens, gardens:real, or a folder.")
     ] = None,
-    protocol: Annotated[list[str] | None, typer.Option(help="Only references-queries; repeat.")] = None,
+    protocol: Annotated[
+        list[str] | None, typer.Option(help="Only references-queries (repeat); with @5f, only of that radius.")
+    ] = None,
     tolerance: Annotated[
         list[str] | None,
         typer.Option(help="Largest drop of a metric that passes; repeat for more.", metavar="METRIC=DROP"),
@@ -101,7 +102,7 @@ def gate(
         for line in advice(judgement):
             say(line)
         raise typer.Exit(judgement.exit_code)
-    _update(old, evidence, judgement, overrides, baseline, prune=prune)
+    _update(evidence, judgement, overrides, baseline, prune=prune)
 
 
 def _overrides(
@@ -118,18 +119,19 @@ def _overrides(
     return Overrides(drops, significance, exact, latency_ratio)
 
 
-def _update(
-    old: "Baseline", evidence: "Evidence", judgement: "Judgement", overrides: "Overrides", path: Path, *, prune: bool
-) -> None:
+def _update(evidence: "Evidence", judgement: "Judgement", overrides: "Overrides", path: Path, *, prune: bool) -> None:
     """Write the new baseline, unless something is wrong with what it would be made of."""
-    from vpr_bench.gate.baseline import write_baseline
+    from vpr_bench.gate.baseline import being_updated, write_baseline
     from vpr_bench.gate.update import updated
 
     if judgement.count("error"):
         complain(f"{path} is left as it is: what could not be judged cannot be recorded.")
         raise typer.Exit(judgement.exit_code)
-    changes = updated(old, evidence.runs, overrides, only=evidence.asked.cells, prune=prune)
-    say(f"{path}: {changes.summary() if write_baseline(changes.baseline, path) else 'unchanged'}")
+    asked = evidence.asked.cells
+    with being_updated(path) as old:  # perhaps not what was judged: another process may have added its cells
+        changes = updated(old, evidence.runs, overrides, only=asked, prune=prune, named=evidence.named)
+        written = write_baseline(changes.baseline, path)
+    say(f"{path}: {changes.summary() if written else 'unchanged'}")
 
 
 def _print(judgement: "Judgement", form: GateFormat, junit: Path | None, markdown: Path | None) -> None:

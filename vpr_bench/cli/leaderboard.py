@@ -14,10 +14,12 @@ from vpr_bench.cli.stored import RunArgument
 from vpr_bench.errors import DataError, VprBenchError, one_line
 
 if TYPE_CHECKING:
-    from vpr_bench.leaderboard.entry import Entry
     from vpr_bench.leaderboard.merge import Merge
+    from vpr_bench.leaderboard.renewal import Renewal
     from vpr_bench.leaderboard.standing import Board
     from vpr_bench.runner.store import StoredRun
+
+_PAGE = "index.html"
 
 LEADERBOARD_EXAMPLES = """[bold]Examples[/bold]
 
@@ -46,35 +48,28 @@ def leaderboard(
 ) -> None:
     """Put stored runs into results.csv, and make ranked tables of it, one per protocol.
 
-    Rows whose runs are not here stay. A newer run of the same method, protocol and machine replaces the older one.
+    Rows whose runs are not here stay. A newer run of the same method, protocol and machine replaces the older one,
+    unless it asked fewer queries or kept fewer answers.
     """
-    from vpr_bench.leaderboard.folder import check_room, stale_tables, tables, write_tables
-    from vpr_bench.leaderboard.merge import merge
-    from vpr_bench.leaderboard.results import RESULTS, is_written, read_results, write_results
-    from vpr_bench.leaderboard.standing import boards
+    from vpr_bench.leaderboard.renewal import claimed, renewal
+    from vpr_bench.leaderboard.results import RESULTS
 
-    results = output / RESULTS
-    existing = read_results(results) if results.exists() else []
-    stored = _stored(run, runs, optional=bool(existing))
-    with progress_bars():
-        merged = merge(existing, stored, None if run else _leave_out)
-    if not merged.entries:
-        raise DataError(f"There is nothing to rank: {results} has no rows, and no run could be scored.")
-    ranked = boards(merged.entries)
-    files = tables(ranked)
+    stored = _stored(run, runs, optional=(output / RESULTS).exists())
+    leave_out = None if run else _leave_out
     if check:
-        stale = [] if is_written(results, merged.entries) else [results]
-        _judge([*stale, *stale_tables(output, files)], runs, output)
+        with progress_bars():
+            stale = renewal(output, stored, leave_out).stale()
+        _judge(stale, runs, output)
         return
-    check_room(output, files)
-    if not is_written(results, merged.entries):
-        output.mkdir(parents=True, exist_ok=True)
-        write_results(results, merged.entries)
-    write_tables(output, files)
-    _tell(merged, stored if run else [], output)
-    _print(merged.entries, ranked, form, files)
     if page:
-        _write_page(ranked, [*stored, *(_whole_folder(runs or RUNS) if run else [])], output / "index.html")
+        _check_page(output / _PAGE)
+    with progress_bars(), claimed(output):
+        made = renewal(output, stored, leave_out)
+        made.write()
+        _tell(made.merge, stored if run else [], output)
+        _print(made, form)
+        if page:
+            _write_page(made.boards, [*stored, *(_whole_folder(runs or RUNS) if run else [])], output / _PAGE)
 
 
 def _stored(names: list[str] | None, root: Path | None, optional: bool) -> list["StoredRun"]:
@@ -118,25 +113,34 @@ def _tell(merged: "Merge", named: Sequence["StoredRun"], output: Path) -> None:
     there = {entry.run for entry in merged.entries}
     for run in named:
         if run.record.key.digest() not in there:
-            say(f"passed over: {run.folder}: there is a newer run, or one of all queries, of its method and protocol.")
+            say(
+                f"passed over: {run.folder}: of its method and protocol there is a newer run, or one of all queries, "
+                "or one that kept more answers (--k)."
+            )
     rows = "1 row" if len(merged.kept) == 1 else f"{len(merged.kept)} rows"
     say(f"kept: {rows}. Tables: {output}")
 
 
-def _print(entries: Sequence["Entry"], boards: Sequence["Board"], form: Format, files: dict[str, str]) -> None:
+def _print(made: "Renewal", form: Format) -> None:
     from vpr_bench.leaderboard.folder import OVERVIEW
     from vpr_bench.leaderboard.overview import overview_grids
     from vpr_bench.leaderboard.results import to_csv, to_json
 
     if form == "json":
-        write(to_json(entries))
+        write(to_json(made.merge.entries))
     elif form == "csv":
-        write(to_csv(entries).removesuffix("\n"))
+        write(to_csv(made.merge.entries).removesuffix("\n"))
     elif form == "markdown":
-        write(files[OVERVIEW].removesuffix("\n"))
+        write(made.tables[OVERVIEW].removesuffix("\n"))
     else:
-        for grid in overview_grids(boards):
+        for grid in overview_grids(made.boards):
             show(grid.rich())
+
+
+def _check_page(file: Path) -> None:
+    from vpr_bench.page.page import check_room
+
+    check_room(file)
 
 
 def _write_page(boards: Sequence["Board"], runs: Sequence["StoredRun"], file: Path) -> None:
@@ -144,8 +148,7 @@ def _write_page(boards: Sequence["Board"], runs: Sequence["StoredRun"], file: Pa
 
     shown = {one.entry.run for board in boards for one in board.standings}
     here = {run.record.key.digest(): run for run in runs}
-    with progress_bars():
-        write_page(
-            boards, {run: here[run] for run in here if run in shown}, file, lambda message: say(f"warning: {message}")
-        )
+    write_page(
+        boards, {run: here[run] for run in here if run in shown}, file, lambda message: say(f"warning: {message}")
+    )
     say(f"page: {file}")

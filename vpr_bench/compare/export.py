@@ -3,7 +3,6 @@
 import csv
 import io
 import json
-import math
 from collections.abc import Callable, Iterator
 from typing import Any
 
@@ -11,6 +10,8 @@ from vpr_bench.compare.caveats import caveats, time_caveats
 from vpr_bench.compare.flipped import FlippedQuery
 from vpr_bench.compare.paired import PairedComparison
 from vpr_bench.metrics.bootstrap import Interval
+from vpr_bench.metrics.undefined import or_none
+from vpr_bench.report.foreign import guarded_cells
 from vpr_bench.runner.store import StoredRun
 
 FileOf = Callable[[int], str | None]
@@ -30,7 +31,8 @@ def to_json(comparison: PairedComparison, file_of: FileOf) -> str:
 def to_csv(comparison: PairedComparison, file_of: FileOf) -> str:
     """Write one line per metric, McNemar's test, stage and flipped query; what a line does not have is empty.
 
-    The values ``a`` and ``b`` of a flipped query, ``lost`` or ``gained``, are the scores of the two answers.
+    The values ``a`` and ``b`` of a flipped query, ``lost`` or ``gained``, are the scores of the two answers. A text
+    that a spreadsheet would take for a formula has a ``'`` before it.
     """
     same = {
         "protocol": str(comparison.protocol),
@@ -40,7 +42,7 @@ def to_csv(comparison: PairedComparison, file_of: FileOf) -> str:
     text = io.StringIO()
     writer = csv.DictWriter(text, _COLUMNS, restval="", lineterminator="\n")
     writer.writeheader()
-    writer.writerows({**same, **line} for line in _csv_lines(comparison, file_of))
+    writer.writerows(guarded_cells({**same, **line}) for line in _csv_lines(comparison, file_of))
     return text.getvalue().rstrip("\n")
 
 
@@ -65,11 +67,11 @@ def as_dict(comparison: PairedComparison, file_of: FileOf) -> dict[str, Any]:
         "seed": comparison.seed,
         "metrics": {
             one.metric: {
-                "a": _known(one.first),
-                "b": _known(one.second),
-                "b_minus_a": _known(one.difference.value),
+                "a": or_none(one.first),
+                "b": or_none(one.second),
+                "b_minus_a": or_none(one.difference.value),
                 **_bounds(one.difference),
-                "p_value": _known(one.p_value),
+                "p_value": or_none(one.p_value),
                 "significant": one.significant,
             }
             for one in comparison.metrics
@@ -85,11 +87,11 @@ def as_dict(comparison: PairedComparison, file_of: FileOf) -> dict[str, Any]:
             "refused": speed.refused or None,
             "stages": {
                 one.stage: {
-                    "a_ms": _known(one.first_ms),
-                    "b_ms": _known(one.second_ms),
-                    "b_over_a": _known(one.ratio.value),
+                    "a_ms": or_none(one.first_ms),
+                    "b_ms": or_none(one.second_ms),
+                    "b_over_a": or_none(one.ratio.value),
                     **_bounds(one.ratio),
-                    "p_value": _known(one.p_value),
+                    "p_value": or_none(one.p_value),
                     "significant": one.significant,
                 }
                 for one in speed.stages
@@ -161,8 +163,4 @@ def _only_columns(numbers: dict[str, Any]) -> dict[str, Any]:
 
 
 def _bounds(interval: Interval) -> dict[str, float | None]:
-    return {"low": _known(interval.low), "high": _known(interval.high)}
-
-
-def _known(value: float) -> float | None:
-    return None if math.isnan(value) else value
+    return {"low": or_none(interval.low), "high": or_none(interval.high)}

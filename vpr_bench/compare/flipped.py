@@ -8,7 +8,6 @@ from numpy.typing import NDArray
 from vpr_bench.compare.pair import RunPair
 from vpr_bench.metrics.answers import without_soft
 from vpr_bench.metrics.flips import flips
-from vpr_bench.types.protocol import UNMEASURED
 
 
 @dataclass(frozen=True)
@@ -40,7 +39,7 @@ class FlippedQuery:
     first, second : Best
         What they answered.
     truth : int
-        The true match nearest to the query's place; the first one where places have no distance.
+        The true match nearest to the query's place; the first one where places have no labels.
     """
 
     query: int
@@ -64,7 +63,8 @@ def flipped_queries(pair: RunPair) -> tuple[list[FlippedQuery], list[FlippedQuer
     def describe(query: int, *, gained: bool) -> FlippedQuery:
         row = int(np.searchsorted(pair.first.queries, query))
         first, second = (_best(*answers, row) for answers in ranked)
-        return FlippedQuery(query, gained, first, second, _nearest_truth(pair, row))
+        truth = pair.first.places.nearest_of(row, pair.truth[row])
+        return FlippedQuery(query, gained, first, second, truth)
 
     lost = [describe(query, gained=False) for query in found.lost.tolist()]
     return lost, [describe(query, gained=True) for query in found.gained.tolist()]
@@ -73,11 +73,3 @@ def flipped_queries(pair: RunPair) -> tuple[list[FlippedQuery], list[FlippedQuer
 def _best(indices: NDArray[np.int64], scores: NDArray[np.floating], row: int) -> Best:
     reference = int(indices[row, 0])
     return Best(None, None) if reference < 0 else Best(reference, float(scores[row, 0]))
-
-
-def _nearest_truth(pair: RunPair, row: int) -> int:
-    right, places = pair.truth[row], pair.first.places
-    if pair.protocol.unit in UNMEASURED or places.queries is None or places.references is None:
-        return int(right[0])
-    apart = (places.references[right] - places.queries[row]).reshape(len(right), -1)
-    return int(right[np.linalg.norm(apart, axis=1).argmin()])

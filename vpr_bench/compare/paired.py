@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from vpr_bench.compare.differences import MetricDifference, differences
+from vpr_bench.compare.differences import PAIRS, MetricDifference, differences
 from vpr_bench.compare.flipped import FlippedQuery, flipped_queries
 from vpr_bench.compare.pair import RunPair
 from vpr_bench.compare.speed import Speed, compare_speed
@@ -12,8 +12,6 @@ from vpr_bench.metrics.definitions import METRICS
 from vpr_bench.metrics.mcnemar import McNemar, mcnemar
 from vpr_bench.runner.store import StoredRun
 from vpr_bench.types.protocol import Protocol, Unmatched
-
-_NEEDS_ALL_SCORES = "pr_auc_pairs"
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +58,7 @@ class PairedComparison:
     @property
     def simulated(self) -> bool:
         """Whether the images were rendered by the project."""
-        return self.protocol.edition == "simulated"
+        return self.protocol.simulated
 
 
 def compare_runs(
@@ -98,7 +96,7 @@ def compare_runs(
     pair = RunPair.of(first, second, radius, unmatched)
     found = differences(pair, list(METRICS) if metrics is None else metrics, resamples, seed)
     if metrics is None:
-        found = [one for one in found if one.metric != _NEEDS_ALL_SCORES or not math.isnan(one.difference.value)]
+        found = [one for one in found if one.metric != PAIRS or not math.isnan(one.difference.value)]
     right = [answers.correct for answers in pair.answers]
     lost, gained = flipped_queries(pair)
     return PairedComparison(

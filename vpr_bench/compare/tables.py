@@ -10,7 +10,7 @@ from vpr_bench.compare.paired import PairedComparison
 from vpr_bench.compare.speed import StageRatio
 from vpr_bench.errors import one_line
 from vpr_bench.report.grid import Grid
-from vpr_bench.report.numbers import UNDEFINED, share
+from vpr_bench.report.numbers import UNDEFINED, milliseconds, share
 from vpr_bench.runner.store import StoredRun
 
 MOST = 20
@@ -81,7 +81,7 @@ def _metric(one: MetricDifference) -> Sequence[str]:
         _signed(one.difference.value),
         f"{_signed(low)} … {_signed(high)}" if known else "",
         _p_value(one.p_value) if known else "",
-        _better(first=high < 0, second=low > 0) if known else "",
+        _better(first=one.significant and high < 0, second=one.significant and low > 0) if known else "",
     ]
 
 
@@ -102,8 +102,8 @@ def _stage(one: StageRatio) -> Sequence[str]:
     known = not math.isnan(low)
     return [
         one_line(one.stage),
-        f"{one.first_ms:.2f}",
-        f"{one.second_ms:.2f}",
+        milliseconds(one.first_ms),
+        milliseconds(one.second_ms),
         share(one.ratio.value),
         f"{share(low)}–{share(high)}" if known else "",
         _p_value(one.p_value),

@@ -97,23 +97,32 @@ def _missing(card: Card, edition: str) -> str:
     return f"The {what} of {card.id} are not under {data_root()}. {how}set VPR_BENCH_DATA to the folder that has them."
 
 
-def edition_folder(card: Card, edition: str) -> Path:
+def edition_folder(card: Card, edition: str, *, render: bool = True) -> Path:
     """Return the folder that holds the traverses of an edition that :func:`choose_edition` chose.
+
+    Parameters
+    ----------
+    card : Card
+        The dataset.
+    edition : str
+        Never ``auto``.
+    render : bool
+        Render the simulated edition if it is not here yet.
 
     Raises
     ------
     DataError
-        If the images have gone meanwhile, or the simulated ones cannot be rendered.
+        If the images have gone meanwhile, or the simulated ones cannot be rendered, or must not be.
     """
     if edition == "simulated":
-        return _rendered(card)
+        return _rendered(card, render)
     found = find_images(card, edition)
     if found is None:
         raise DataError(_missing(card, edition))
     return found
 
 
-def _rendered(card: Card) -> Path:
+def _rendered(card: Card, render: bool) -> Path:
     """Return the folder of the simulated edition; render it once, whole or not at all."""
     assert card.simulation is not None  # noqa: S101
     make = import_object(card.simulation.renderer, f"The renderer of {card.id}")
@@ -122,6 +131,11 @@ def _rendered(card: Card) -> Path:
     folder = cache_root() / "simulated" / f"{card.id}-{renderer.fingerprint()}"
     if folder.is_dir():
         return folder
+    if not render:
+        raise DataError(
+            f"the simulated images of {card.id} have not been rendered on this machine: "
+            f"`vpr-bench data preview {card.id}:simulated` does."
+        )
     lock = folder.with_name(folder.name + ".lock")
     with held(lock, f"Waiting for another process that renders {card.id}"):
         if not folder.is_dir():

@@ -69,6 +69,8 @@ def load_case(
     edition: str = "auto",
     radius: float | None = None,
     unmatched: Unmatched | None = None,
+    *,
+    render: bool = True,
 ) -> Case:
     """Load one protocol of a dataset.
 
@@ -86,6 +88,8 @@ def load_case(
         Instead of the protocol's own, in its unit.
     unmatched : {"exclude", "miss", "reject"}, optional
         Instead of the protocol's own policy for queries without a true match.
+    render : bool
+        Render simulated images that are not here yet; else they are missing.
 
     Raises
     ------
@@ -96,7 +100,7 @@ def load_case(
         If images are missing or damaged.
     """
     asked = Request.parse(dataset, protocol, edition)
-    source = Source.find(asked)
+    source = Source.find(asked, render=render)
     chosen = source.card.protocol(asked.pairing, source.edition)
     chosen = replace(  # before anything is rendered: a wrong radius must not cost that
         chosen,

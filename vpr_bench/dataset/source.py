@@ -38,15 +38,18 @@ class Source:
         The card as it is written, with all editions.
     own : Path, optional
         The user's own folder; None for an installed dataset.
+    render : bool
+        Render simulated images that are not here yet; else they are missing.
     """
 
     card: Card
     edition: str
     whole: Card = field(repr=False)
     own: Path | None = None
+    render: bool = True
 
     @classmethod
-    def find(cls, request: Request) -> "Source":
+    def find(cls, request: Request, *, render: bool = True) -> "Source":
         """Look up what was asked for; nothing is rendered yet.
 
         Raises
@@ -60,7 +63,7 @@ class Source:
         if own is not None:
             return cls(card, "real", card, own)
         edition = choose_edition(card, request.edition)
-        return cls(card.in_edition(edition), edition, card)
+        return cls(card.in_edition(edition), edition, card, render=render)
 
     @property
     def name(self) -> str:
@@ -75,4 +78,4 @@ class Source:
     @cached_property
     def folder(self) -> Path:
         """Holds the traverses; simulated ones are rendered when it is asked for."""
-        return self.own or edition_folder(self.whole, self.edition)
+        return self.own or edition_folder(self.whole, self.edition, render=self.render)

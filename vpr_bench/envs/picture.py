@@ -71,23 +71,14 @@ def _answer(case: Case, one: Exchange) -> Panel:
 def _truth(case: Case, one: Exchange) -> Panel:
     if not len(one.truth):
         return Panel("Truth", GREY, None, "no true match")
-    best = _nearest(case, one)
+    best = case.places.nearest_of(one.query, one.truth)
     more = f" · {spans(one.truth)} are right" if len(one.truth) > 1 else ""
     return Panel("Truth", GREEN, case.references[best], "", (f"reference {best}{more}", case.references.name_of(best)))
 
 
-def _nearest(case: Case, one: Exchange) -> int:
-    """Return the reference nearest to the query; where there are no labels, the middle one."""
-    places = case.places
-    if places.queries is None or places.references is None:
-        return int(one.truth[len(one.truth) // 2])
-    apart = np.abs(places.references[one.truth] - places.queries[one.query]).reshape(len(one.truth), -1)
-    return int(one.truth[(apart**2).sum(axis=1).argmin()])
-
-
 def _draw_head(pen: ImageDraw.ImageDraw, case: Case, one: Exchange | None, width: int) -> None:
     room = width - 2 * _GAP
-    if case.protocol.edition == "simulated":
+    if case.protocol.simulated:
         face = font(13, bold=True)
         badge = round(face.getlength(_SIMULATED)) + 16
         pen.rounded_rectangle((width - _GAP - badge, 10, width - _GAP - 1, 31), 5, RED)

@@ -9,8 +9,8 @@ from pathlib import Path
 from vpr_bench.errors import DataError
 
 _ELSEWHERE = (
-    "choose another folder (VPR_BENCH_DATA for images, VPR_BENCH_WEIGHTS for weights, --output for runs, "
-    "XDG_CACHE_HOME for rendered images)"
+    "choose another folder (by the command's options; of images by VPR_BENCH_DATA, of weights by VPR_BENCH_WEIGHTS, "
+    "of rendered images by XDG_CACHE_HOME)"
 )
 _FULL = {errno.ENOSPC, errno.EDQUOT}
 _FORBIDDEN = {errno.EACCES, errno.EPERM, errno.EROFS}

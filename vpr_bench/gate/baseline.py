@@ -2,7 +2,8 @@
 
 import json
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +12,10 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 from vpr_bench.errors import DamagedError, DataError, UsageError, first_fault, one_line
 from vpr_bench.files.atomic import write_bytes
 from vpr_bench.files.disk import disk_errors
+from vpr_bench.files.lock import held
+from vpr_bench.files.migrations import migrated
 from vpr_bench.gate.cell import Cell, check_cell
-from vpr_bench.gate.migrations import SCHEMA_VERSION, migrated
+from vpr_bench.gate.migrations import SCHEMA_VERSION, STEPS
 from vpr_bench.gate.rules import FRESH, Rules
 
 
@@ -73,7 +76,7 @@ def read_baseline(path: Path) -> Baseline:
             f"{path} has schema version {found:.6g}; this vpr-bench reads 1 to {SCHEMA_VERSION}. Update vpr-bench."
         )
     try:
-        baseline = Baseline.model_validate(migrated(content))
+        baseline = Baseline.model_validate(migrated(content, STEPS, SCHEMA_VERSION))
         baseline.rules.check()
     except ValidationError as error:
         raise DamagedError(f"{path} is damaged: {one_line(first_fault(error)):.300}. {_ADVICE}") from None
@@ -100,6 +103,21 @@ def write_baseline(baseline: Baseline, path: Path) -> bool:
         path.parent.mkdir(parents=True, exist_ok=True)
     write_bytes(path, text)
     return True
+
+
+@contextmanager
+def being_updated(path: Path) -> Iterator[Baseline]:
+    """Yield the baseline that is there, or a fresh one, while no other process may update it.
+
+    Raises
+    ------
+    DamagedError
+        If it is damaged.
+    DataError
+        If it is of a schema that this version does not know, or nothing can be written beside it.
+    """
+    with held(path.with_name(f".{path.name}.lock"), f"Waiting for another process that updates {path}"):
+        yield read_baseline(path) if path.exists() else Baseline()
 
 
 _ADVICE = "Only rules are edited by hand: take the file back from version control, or delete the cell and --update."

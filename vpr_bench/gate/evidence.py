@@ -30,16 +30,19 @@ class Evidence:
         On cells that could not be run, and runs that could not be read.
     left_out : int
         Cells that are not asked about.
+    named : bool
+        The protocols of the runs were named with their radius, as of :func:`vpr_bench.gate.matching.without_cell`.
     """
 
     asked: Baseline
     runs: Sequence[StoredRun]
     errors: Sequence[Verdict]
     left_out: int
+    named: bool = False
 
     def judge(self, overrides: Overrides) -> Judgement:
         """Judge all of it; errors of what could not be had stand with the rest."""
-        verdicts = [*judge(self.asked, self.runs, overrides).verdicts, *self.errors]
+        verdicts = [*judge(self.asked, self.runs, overrides, named=self.named).verdicts, *self.errors]
         ordered = sorted(verdicts, key=lambda one: (one.outcome == "new", one.protocol, one.label))
         return Judgement(ordered, self.left_out)
 
@@ -66,11 +69,10 @@ def collect(baseline: Baseline, selection: Selection, root: Path) -> Evidence:
     runs, damaged = gather(root)
     if not runs and not damaged:
         raise DataError(f"There are no runs under {root}. Give --run to make those of the baseline, or --runs.")
-    cells = baseline.cells.values()
-    selection.check([*map(Subject.of_cell, cells), *map(Subject.of_run, runs)])
+    cells, wanted = baseline.cells.values(), [one for run in runs for one in selection.asked_of(run)]
+    selection.check([*map(Subject.of_cell, cells), *map(Subject.of_run, [*runs, *wanted])])
     asked = [cell for cell in cells if selection.wants(Subject.of_cell(cell))]
-    wanted = [run for run in runs if selection.wants(Subject.of_run(run))]
-    return Evidence(baseline.with_cells(asked), wanted, damaged, len(cells) - len(asked))
+    return Evidence(baseline.with_cells(asked), wanted, damaged, len(cells) - len(asked), selection.names_radii)
 
 
 def run_and_collect(baseline: Baseline, selection: Selection, root: Path, say: Callable[[str], None]) -> Evidence:

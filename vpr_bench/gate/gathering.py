@@ -60,7 +60,7 @@ def with_names(
         run = by_folder.get(verdict.run) if verdict.run else None
         if not moved or run is None:
             return verdict
-        pictures = RunPictures(run, once, sources.folders.get(run.protocol.dataset))
+        pictures = RunPictures(run, once, sources.folders.get(run.protocol.dataset), render=False)
         if pictures.case is None:
             return verdict
         return replace(verdict, names={query: pictures.query_name(query) for query in sorted(moved)})

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from vpr_bench.errors import DataError, VprBenchError, blaming, one_line
+from vpr_bench.errors import DataError, VprBenchError, blaming
 from vpr_bench.gate.baseline import Baseline
 from vpr_bench.gate.cell import Cell, other_images
 from vpr_bench.gate.latency_change import LatencyChange, latency_change
@@ -13,7 +13,7 @@ from vpr_bench.gate.matching import choose, near_misses, without_cell
 from vpr_bench.gate.metric_change import MetricChange, metric_change
 from vpr_bench.gate.recording import record_cell
 from vpr_bench.gate.rules import Overrides, Rules
-from vpr_bench.gate.verdict import Changed, Judgement, Verdict
+from vpr_bench.gate.verdict import Changed, Judgement, Verdict, error, missing, new
 from vpr_bench.metrics.bootstrap import check_paired
 from vpr_bench.metrics.definitions import compute
 from vpr_bench.metrics.flips import flips
@@ -21,7 +21,9 @@ from vpr_bench.report.rows import answers_of
 from vpr_bench.runner.store import StoredRun
 
 
-def judge(baseline: Baseline, runs: Iterable[StoredRun], overrides: Overrides | None = None) -> Judgement:
+def judge(
+    baseline: Baseline, runs: Iterable[StoredRun], overrides: Overrides | None = None, *, named: bool = False
+) -> Judgement:
     """Judge runs by a baseline.
 
     Parameters
@@ -32,6 +34,8 @@ def judge(baseline: Baseline, runs: Iterable[StoredRun], overrides: Overrides | 
         Those that belong to no cell are new.
     overrides : Overrides, optional
         Instead of the baseline's rules.
+    named : bool
+        As of :func:`vpr_bench.gate.matching.without_cell`.
 
     Raises
     ------
@@ -42,9 +46,12 @@ def judge(baseline: Baseline, runs: Iterable[StoredRun], overrides: Overrides | 
     verdicts = []
     for cell in baseline.cells.values():
         rules, run = overrides.apply(baseline.rules_of(cell)), choose(cell, runs)
-        verdicts.append(missing(cell, near_misses(cell, runs)) if run is None else judge_run(cell, run, rules))
-    usual = overrides.apply(baseline.rules)
-    return Judgement(verdicts + [new(run, usual) for run in without_cell(baseline.cells.values(), runs)])
+        if run is None:
+            verdicts.append(missing(cell.label, cell.protocol, near_misses(cell, runs)))
+        else:
+            verdicts.append(judge_run(cell, run, rules))
+    usual, fresh = overrides.apply(baseline.rules), without_cell(baseline.cells.values(), runs, named=named)
+    return Judgement(verdicts + [_new(run, usual) for run in fresh])
 
 
 def judge_run(cell: Cell, run: StoredRun, rules: Rules) -> Verdict:
@@ -53,37 +60,18 @@ def judge_run(cell: Cell, run: StoredRun, rules: Rules) -> Verdict:
         with blaming(f"{run.folder} cannot be judged", DataError):
             return _judged(cell, run, rules)
     except VprBenchError as fault:
-        return error(cell.label, cell.protocol, fault, run)
+        return error(cell.label, cell.protocol, fault, run.folder)
 
 
-def error(label: str, protocol: str, fault: VprBenchError, run: StoredRun | None = None) -> Verdict:
-    """Return the verdict on what could not be judged."""
-    folder = None if run is None else run.folder
-    return Verdict(label, protocol, "error", reasons=[one_line(fault)], run=folder, code=fault.exit_code)
-
-
-def missing(cell: Cell, near: Sequence[str] = ()) -> Verdict:
-    """Return the verdict on a cell without a run."""
-    told = ["there is no run of it: --run makes one", *near]
-    return Verdict(cell.label, cell.protocol, "missing", reasons=told)
-
-
-def new(run: StoredRun, rules: Rules) -> Verdict:
-    """Return the verdict on a run without a cell: its metrics, and nothing to compare them with."""
+def _new(run: StoredRun, rules: Rules) -> Verdict:
+    label, protocol = run.record.label, run.record.protocol
     try:
         with blaming(f"{run.folder} cannot be judged", DataError):
             values = compute(rules.metrics, answers_of(run))
     except VprBenchError as fault:
-        return error(run.record.label, run.record.protocol, fault, run)
-    return Verdict(
-        run.record.label,
-        run.record.protocol,
-        "new",
-        reasons=["the baseline does not hold it: --update records it"],
-        metrics=[MetricChange(name, math.nan, values[name], rules.metrics[name]) for name in sorted(values)],
-        run=run.folder,
-        seconds=_seconds(run),
-    )
+        return error(label, protocol, fault, run.folder)
+    metrics = [MetricChange(name, math.nan, values[name], rules.metrics[name]) for name in sorted(values)]
+    return new(label, protocol, metrics, run.folder, _seconds(run))
 
 
 def _judged(cell: Cell, run: StoredRun, rules: Rules) -> Verdict:
@@ -131,6 +119,8 @@ def _notes(cell: Cell, now: Cell, metrics: Sequence[MetricChange], times: Latenc
     }
     notes = [f"{name}: {before} → {after}" for name, (before, after) in facts.items() if before != after]
     notes += [times.note] if times.note else []
+    unknown = [one.metric for one in metrics if math.isnan(one.before) and math.isnan(one.after) and not one.faults]
+    notes += [f"{name} is undefined, then and now: it cannot fall" for name in unknown]
     return notes + [f"{one.metric} rose by {one.difference:.3f}" for one in metrics if one.difference > 0]
 
 

@@ -6,14 +6,16 @@ such runs, one of the method's present version is taken if they differ in versio
 """
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from vpr_bench.errors import VprBenchError, blaming
-from vpr_bench.gate.cell import Cell
+from vpr_bench.gate.cell import Cell, cell_id
 from vpr_bench.gate.recording import changed_parameters
 from vpr_bench.method.build import find_method
 from vpr_bench.method.trust import registered_only
 from vpr_bench.method.version import version_of
 from vpr_bench.runner.store import StoredRun
+from vpr_bench.types.protocol import Protocol
 
 
 def choose(cell: Cell, runs: Iterable[StoredRun]) -> StoredRun | None:
@@ -36,14 +38,33 @@ def near_misses(cell: Cell, runs: Iterable[StoredRun]) -> list[str]:
     return [f"{run.folder} is no run of it: {', '.join(_differences(run, cell))}" for run in near]
 
 
-def without_cell(cells: Iterable[Cell], runs: Iterable[StoredRun]) -> list[StoredRun]:
-    """Return the newest run of each method and protocol that no cell is about; partial ones are left out."""
+def without_cell(cells: Iterable[Cell], runs: Iterable[StoredRun], *, named: bool = False) -> list[StoredRun]:
+    """Return the newest run of each method and protocol that no cell is about; partial ones are left out.
+
+    Parameters
+    ----------
+    cells : iterable of Cell
+        Those of the baseline.
+    runs : iterable of StoredRun
+        Those of today.
+    named : bool
+        Somebody named the protocols of these runs, radius included: a cell of another radius is not about them. By
+        default it is, as the radius that a run happened to be asked for says nothing.
+    """
     cells = list(cells)
+    ids = {cell.id for cell in cells}
     found: dict[tuple[str, str], StoredRun] = {}
     for run in sorted(runs, key=_age):
-        if not run.record.partial and not any(_similar(run, cell) for cell in cells):
-            found[run.record.protocol, run.record.label] = run
+        protocol, label = run.record.protocol, run.record.label
+        known = cell_id(label, protocol) in ids if named else any(_similar(run, cell) for cell in cells)
+        if not run.record.partial and not known:
+            found[protocol, label] = run
     return [run for _, run in sorted(found.items())]
+
+
+def asked_for(run: StoredRun, protocol: Protocol) -> StoredRun:
+    """Return a run as if it had been asked for this protocol: another radius or policy, but the same images."""
+    return replace(run, record=run.record.model_copy(update={"protocol": str(protocol)}))
 
 
 def _similar(run: StoredRun, cell: Cell) -> bool:

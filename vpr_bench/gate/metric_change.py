@@ -13,6 +13,7 @@ from vpr_bench.metrics.answers import Answers
 from vpr_bench.metrics.bootstrap import bootstrap_difference
 from vpr_bench.metrics.definitions import compute
 from vpr_bench.metrics.mcnemar import mcnemar
+from vpr_bench.metrics.undefined import or_none
 
 RESAMPLES = 2000
 """Of the paired bootstrap."""
@@ -50,14 +51,14 @@ class MetricChange:
 
     @property
     def difference(self) -> float:
-        """Now minus then; NaN if either is undefined, and 0 if both are."""
-        return 0.0 if math.isnan(self.before) and math.isnan(self.after) else self.after - self.before
+        """Now minus then; NaN if either is undefined."""
+        return self.after - self.before
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything JSON-able, NaN as None."""
         values = {"before": self.before, "after": self.after, "difference": self.difference}
         return {
-            **{name: None if math.isnan(value) else value for name, value in values.items()},
+            **{name: or_none(value) for name, value in values.items()},
             **self.rule.model_dump(),
             "p_value": self.p_value,
             "interval": None if self.interval is None else list(self.interval),
@@ -83,6 +84,8 @@ def metric_change(metric: str, rule: Rule, before: Answers, after: Answers) -> M
     old, new = (compute([metric], answers)[metric] for answers in (before, after))
     if math.isnan(new) and not math.isnan(old):
         return MetricChange(metric, old, new, rule, faults=(f"{metric} was {old:.3f} and is undefined now",))
+    if fault := _too_deep(metric, before):
+        return MetricChange(metric, old, new, rule, faults=(fault,))
     if not old - new > _ROUNDING:
         return MetricChange(metric, old, new, rule)
     too_far = rule.tolerance is not None and old - new > rule.tolerance + _ROUNDING
@@ -97,6 +100,14 @@ def metric_change(metric: str, rule: Rule, before: Answers, after: Answers) -> M
             faults.append(f"significant at {rule.significance:g} ({between}, paired bootstrap)")
     told = (f"{metric} fell by {old - new:.3f} ({old:.3f} → {new:.3f}): {', '.join(faults)}",) if faults else ()
     return MetricChange(metric, old, new, rule, p_value, interval, told)
+
+
+def _too_deep(metric: str, answers: Answers) -> str | None:
+    """Say that a metric needs answers that nobody kept, so that it could never fall."""
+    recall = re.fullmatch(r"recall@([0-9]+)", metric)
+    if recall is None or int(recall[1]) <= answers.depth:
+        return None
+    return f"{metric} is undefined: it needs more answers than the {answers.depth} that were kept (--k)"
 
 
 def _test(

@@ -5,13 +5,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from vpr_bench.cores import available_cores
-from vpr_bench.dataset.load import Case, load_case
+from vpr_bench.dataset.load import Case
 from vpr_bench.errors import UsageError, VprBenchError, one_line
 from vpr_bench.gate.cell import Cell, other_images
-from vpr_bench.gate.judging import error
-from vpr_bench.gate.verdict import Verdict
+from vpr_bench.gate.matching import asked_for
+from vpr_bench.gate.verdict import Verdict, error
 from vpr_bench.method.build import BuiltMethod, build_method
-from vpr_bench.method.trust import UntrustedError, registered_only
+from vpr_bench.method.rebuild import rebuilding
+from vpr_bench.runner.images import OtherImagesError, case_of
 from vpr_bench.runner.run import RunOptions, run
 from vpr_bench.runner.store import RunStore, StoredRun
 
@@ -26,7 +27,7 @@ class Sources:
     ----------
     methods : dict
         Method id to what the user called it, such as ``path/to/file.py:Class``; their code may be run, though they are
-        not installed.
+        not installed, also inside other methods.
     folders : dict
         Dataset id to the folder that holds it, for datasets of one's own.
     """
@@ -44,13 +45,10 @@ class Sources:
         DataError
             If they are missing, damaged, or not those of the cell.
         """
-        asked = cell.asked
-        folder = self.folders.get(asked.dataset)
-        pairing = f"{asked.pairing}@{asked.reach}"
-        case = load_case(folder, pairing, unmatched=asked.unmatched) if folder else load_case(cell.protocol)
-        if case.digest != cell.dataset:
-            raise other_images(cell, case.digest, f"in {case.folder}")
-        return case
+        try:
+            return case_of(cell.asked, cell.dataset, self.folders.get(cell.asked.dataset))
+        except OtherImagesError as fault:
+            raise other_images(cell, fault.found, f"in {fault.folder}") from None
 
     def method(self, cell: Cell) -> BuiltMethod:
         """Build the method of a cell.
@@ -60,12 +58,8 @@ class Sources:
         UsageError
             If it does not exist, is not installed and not named by the user, or does not take these parameters.
         """
-        name = self.methods.get(cell.method, cell.method)
-        try:
-            with registered_only(self.methods.values()):
-                built = build_method(name, cell.parameters, cell.seed)
-        except UntrustedError as refused:
-            raise UsageError(f"{refused} Name it with --method.") from None
+        with rebuilding(self.methods):
+            built = build_method(cell.method, cell.parameters, cell.seed)
         if built.label != cell.label:
             raise UsageError(f"The baseline's {cell.label!r} is now called {built.label!r}. Record it with --update.")
         return built
@@ -104,8 +98,15 @@ def run_cells(
     return runs, errors
 
 
+def options_of(cell: Cell) -> RunOptions:
+    """Say how a cell is run: as it was recorded, with as many threads as then or, where there are fewer, all cores."""
+    return RunOptions(seed=cell.seed, k=cell.k, threads=max(1, min(cell.threads, available_cores())))
+
+
 def run_cell(cell: Cell, root: Path, sources: Sources) -> StoredRun:
-    """Run one cell, or return the stored run; parameters as of :func:`run_cells`.
+    """Run one cell, or take the stored run, as if it had been asked for the cell's protocol.
+
+    Parameters are those of :func:`run_cells`.
 
     Raises
     ------
@@ -113,5 +114,4 @@ def run_cell(cell: Cell, root: Path, sources: Sources) -> StoredRun:
         If it cannot be run.
     """
     built, case = sources.method(cell), sources.case(cell)
-    options = RunOptions(seed=cell.seed, k=cell.k, threads=max(1, min(cell.threads, available_cores())))
-    return run(case, built, RunStore(root), options)
+    return asked_for(run(case, built, RunStore(root), options_of(cell)), cell.asked)

@@ -7,20 +7,18 @@ from typing import Any
 from vpr_bench.dataset.load import Case, load_case
 from vpr_bench.dataset.request import own_folder
 from vpr_bench.errors import DataError, UsageError
-from vpr_bench.files.lock import held
-from vpr_bench.gate.baseline import Baseline, read_baseline, write_baseline
+from vpr_bench.gate.baseline import Baseline, being_updated, read_baseline, write_baseline
 from vpr_bench.gate.cell import Cell, cell_id, other_images
 from vpr_bench.gate.gathering import with_names
 from vpr_bench.gate.judging import judge_run
-from vpr_bench.gate.rerun import Sources
+from vpr_bench.gate.matching import asked_for
+from vpr_bench.gate.rerun import Sources, options_of
 from vpr_bench.gate.rules import Overrides
 from vpr_bench.gate.update import updated
 from vpr_bench.gate.verdict import Judgement, Verdict
 from vpr_bench.method.build import build_method
 from vpr_bench.runner.run import RunOptions, run
 from vpr_bench.runner.store import RunStore, StoredRun
-
-_SEED = 0
 
 
 @dataclass(frozen=True)
@@ -68,7 +66,6 @@ class Trial:
                 f"{baseline} holds no {self._id(case)!r}. Record it: run this test once with --vpr-update, and commit "
                 "the file."
             )
-        self._check(cell, case)
         rules, found = overrides.apply(old.rules_of(cell)), self._run(case, cell, runs)
         verdict = judge_run(cell, found, rules)
         sources = Sources(folders={case.protocol.dataset: self.dataset} if own_folder(self.dataset) else {})
@@ -77,14 +74,12 @@ class Trial:
     def record(self, baseline: Path, runs: Path) -> None:
         """Run, or take the stored run, and record it in the baseline; parameters and errors as of :meth:`judge`."""
         case = self._case()
-        old = read_baseline(baseline) if baseline.exists() else Baseline()
-        found = self._run(case, old.cells.get(self._id(case)), runs)
-        with held(runs / f"{baseline.name}.lock", "Waiting for another test that writes the baseline"):
-            old = read_baseline(baseline) if baseline.exists() else Baseline()
-            name = self._id(case)
+        old, name = read_baseline(baseline) if baseline.exists() else Baseline(), self._id(case)
+        found = asked_for(self._run(case, old.cells.get(name), runs), case.protocol)
+        with being_updated(baseline) as old:
             if name in old.cells:
                 self._check(old.cells[name], case)
-            write_baseline(updated(old, [found], only=[name]).baseline, baseline)
+            write_baseline(updated(old, [found], only=[name], named=True).baseline, baseline)
 
     def _case(self) -> Case:
         return load_case(self.dataset, self.protocol)
@@ -93,10 +88,13 @@ class Trial:
         return cell_id(build_method(self.method, self.parameters, self.seed).label, str(case.protocol))
 
     def _run(self, case: Case, cell: Cell | None, runs: Path) -> StoredRun:
-        """Run with the seed and k of the cell, unless the caller names others."""
-        seed = self.seed if self.seed is not None else cell.seed if cell else _SEED
-        k = self.k if self.k is not None else cell.k if cell else None
-        return run(case, build_method(self.method, self.parameters, seed), RunStore(runs), RunOptions(seed=seed, k=k))
+        """Run it as its cell was recorded, if there is one."""
+        if cell is None:
+            options = RunOptions(seed=self.seed or 0, k=self.k)
+        else:
+            self._check(cell, case)
+            options = options_of(cell)
+        return run(case, build_method(self.method, self.parameters, options.seed), RunStore(runs), options)
 
     def _check(self, cell: Cell, case: Case) -> None:
         """Refuse what is not the same thing as the cell."""

@@ -44,6 +44,7 @@ def updated(
     *,
     only: Iterable[str] | None = None,
     prune: bool = False,
+    named: bool = False,
 ) -> Update:
     """Record runs in a baseline.
 
@@ -62,6 +63,8 @@ def updated(
         Ids of the cells that may be recorded or dropped; all others are kept. By default all may.
     prune : bool
         Drop the cells without a run.
+    named : bool
+        As of :func:`vpr_bench.gate.matching.without_cell`.
 
     Raises
     ------
@@ -84,7 +87,7 @@ def updated(
         now = _recorded(cell, run, cell.rules.over(rules))
         cells[name] = _kept(cell, now, cell.rules.over(rules))
         recorded += [name] if cells[name] is not cell else []
-    fresh = [record_cell(run, metrics=rules.metrics) for run in without_cell(old.values(), runs)]
+    fresh = [record_cell(run, metrics=rules.metrics) for run in without_cell(old.values(), runs, named=named)]
     new = baseline.model_copy(update={"rules": rules}).with_cells([*cells.values(), *fresh])
     return Update(new, recorded, [cell.id for cell in fresh], [name for name in old if name not in new.cells])
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
+from vpr_bench.errors import VprBenchError, one_line
 from vpr_bench.gate.latency_change import LatencyChange
 from vpr_bench.gate.metric_change import MetricChange
 
@@ -161,6 +162,22 @@ class Judgement:
             "left_out": self.left_out,
             "cells": [one.as_dict() for one in self.verdicts],
         }
+
+
+def error(label: str, protocol: str, fault: VprBenchError, run: Path | None = None) -> Verdict:
+    """Return the verdict on what could not be judged; ``run`` is the folder of its run, if it has one."""
+    return Verdict(label, protocol, "error", reasons=[one_line(fault)], run=run, code=fault.exit_code)
+
+
+def missing(label: str, protocol: str, near: Sequence[str] = ()) -> Verdict:
+    """Return the verdict on a cell without a run; ``near`` says which ones nearly belong to it."""
+    return Verdict(label, protocol, "missing", reasons=["there is no run of it: --run makes one", *near])
+
+
+def new(label: str, protocol: str, metrics: Sequence[MetricChange], run: Path, seconds: float) -> Verdict:
+    """Return the verdict on a run without a cell: its metrics, and nothing to compare them with."""
+    told = "the baseline does not hold it: --update records it"
+    return Verdict(label, protocol, "new", reasons=[told], metrics=metrics, run=run, seconds=seconds)
 
 
 def _or_none(reference: int) -> int | None:

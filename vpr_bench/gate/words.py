@@ -1,12 +1,15 @@
 """A verdict in words: the cells of tables, and the lines below them."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import TypeVar
 
 from vpr_bench.errors import one_line
 from vpr_bench.gate.metric_change import MetricChange
 from vpr_bench.gate.verdict import Changed, Judgement, Verdict
 from vpr_bench.report.numbers import UNDEFINED, share
+
+T = TypeVar("T")
 
 SHOWN = 20
 """How many queries are listed; all of them are in the JSON."""
@@ -54,26 +57,26 @@ def advice(judgement: Judgement) -> list[str]:
 
 def moved(verdict: Verdict) -> Iterator[tuple[str, str]]:
     """Yield each list of queries that moved: what they are, and which, the first few."""
+    changed = {one.query: one for one in verdict.changed}
     for title, queries in (("lost", verdict.lost), ("gained", verdict.gained)):
         if queries:
-            yield title, listed(f"{query} ({_name(verdict, query)})" for query in queries)
+            yield title, listed(queries, lambda query: f"{query} ({_name(verdict, query, changed.get(query))})")
     flipped = {*verdict.lost, *verdict.gained}
     other = [one for one in verdict.changed if one.query not in flipped]
     if other:
-        yield "answered otherwise", listed(map(_change, other))
+        yield "answered otherwise", listed(other, lambda one: f"{one.query} ({_change(one)})")
 
 
-def listed(items: Iterable[str]) -> str:
+def listed(items: Sequence[T], write: Callable[[T], str] = str) -> str:
     """Write the first items of a list, and how many more there are.
 
     Examples
     --------
-    >>> listed(str(number) for number in range(22))[-17:]
+    >>> listed(range(22))[-17:]
     '18, 19 and 2 more'
     """
-    items = list(items)
     more = f" and {len(items) - SHOWN} more" if len(items) > SHOWN else ""
-    return ", ".join(items[:SHOWN]) + more
+    return ", ".join(map(write, items[:SHOWN])) + more
 
 
 def failure(verdict: Verdict) -> str:
@@ -102,15 +105,14 @@ def _metric_cells(change: MetricChange) -> list[str]:
     return [change.metric, share(change.before), share(change.after), difference, allowed(change)]
 
 
-def _name(verdict: Verdict, query: int) -> str:
-    moved_to = next((one for one in verdict.changed if one.query == query), None)
+def _name(verdict: Verdict, query: int, change: Changed | None) -> str:
     parts = [one_line(verdict.names[query])] if query in verdict.names else []
-    parts += [f"{_reference(moved_to.before)} → {_reference(moved_to.after)}"] if moved_to else []
+    parts += [_change(change)] if change else []
     return ": ".join(parts) or "same answer"
 
 
 def _change(one: Changed) -> str:
-    return f"{one.query} ({_reference(one.before)} → {_reference(one.after)})"
+    return f"{_reference(one.before)} → {_reference(one.after)}"
 
 
 def _reference(reference: int) -> str:

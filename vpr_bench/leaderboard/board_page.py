@@ -3,14 +3,15 @@
 import math
 from collections.abc import Mapping
 
-from vpr_bench.dataset.card import Published
 from vpr_bench.leaderboard.collect import RESAMPLES
-from vpr_bench.leaderboard.markdown import link, plain
+from vpr_bench.leaderboard.markdown import link
 from vpr_bench.leaderboard.marks import NO_TIME, TIED, name_marks, name_notes
 from vpr_bench.leaderboard.standing import SIGNIFICANCE, Board, Standing
 from vpr_bench.metrics.bootstrap import Interval
+from vpr_bench.report.foreign import plain
 from vpr_bench.report.grid import markdown_table
-from vpr_bench.report.numbers import share, short_share
+from vpr_bench.report.numbers import milliseconds, share, short_share
+from vpr_bench.report.published import with_sources
 from vpr_bench.runner.fair_times import BUSY
 
 _METRICS = ("recall@1", "recall@5", "pr_auc", "pr_auc_matched")
@@ -57,7 +58,7 @@ def _row(one: Standing, letters: Mapping[str, str]) -> list[str]:
         _rank(one),
         name,
         *(_value(entry.metrics[metric]) for metric in _METRICS),
-        *(_milliseconds(one, f"latency_total_p{percentile}") for percentile in (50, 95)),
+        *(_time(one, f"latency_total_p{percentile}") for percentile in (50, 95)),
         letters[entry.machine] + ("" if one.fair_latency else f" {NO_TIME}"),
     ]
 
@@ -74,29 +75,16 @@ def _value(interval: Interval) -> str:
     return f"{share(interval.value)} ({short_share(interval.low)}–{short_share(interval.high)})"
 
 
-def _milliseconds(one: Standing, name: str) -> str:
-    return f"{one.entry.latency[name]:.1f}" if one.fair_latency else ""
+def _time(one: Standing, name: str) -> str:
+    return milliseconds(one.entry.latency[name]) if one.fair_latency else ""
 
 
 def _published_rows(board: Board) -> list[list[str]]:
-    sources = _sources(board)
     rows = []
-    for one in board.published:
-        if one.metric in _METRICS:
-            values = [f"*{one.value:.3f}*" if metric == one.metric else "" for metric in _METRICS]
-            number = sources.index(_source(one, board)) + 1
-            rows.append(["", f"*{plain(one.method)}* (published, {number})", *values, "", "", ""])
+    for one, source in with_sources(board.published, _METRICS, board.protocol)[0]:
+        values = [f"*{one.value:.3f}*" if metric == one.metric else "" for metric in _METRICS]
+        rows.append(["", f"*{plain(one.method)}* (published, {source})", *values, "", "", ""])
     return rows
-
-
-def _sources(board: Board) -> list[str]:
-    return list(dict.fromkeys(_source(one, board) for one in board.published if one.metric in _METRICS))
-
-
-def _source(one: Published, board: Board) -> str:
-    """Name the source; a radius that it states is the board's, or it would not stand here."""
-    radius = "radius not stated" if one.radius is None else f"radius {board.protocol.reach}"
-    return f"{plain(one.source)}, {radius}"
 
 
 def _notes(board: Board, letters: Mapping[str, str]) -> list[str]:
@@ -121,7 +109,7 @@ def _notes(board: Board, letters: Mapping[str, str]) -> list[str]:
         )
     abouts = {letters[one.machine]: one for one in entries}
     notes += [f"Machine {letter}: {plain(abouts[letter].machine_about)}." for letter in sorted(abouts)]
-    if sources := _sources(board):
-        listed = "; ".join(f"({number}) {source}" for number, source in enumerate(sources, 1))
+    if sources := with_sources(board.published, _METRICS, board.protocol)[1]:
+        listed = "; ".join(f"({number}) {plain(source)}" for number, source in enumerate(sources, 1))
         notes.append(f"*Published* by others, with what they had; never ranked: {listed}.")
     return notes

@@ -19,13 +19,11 @@ from numpy.typing import NDArray
 from vpr_bench.errors import UsageError
 from vpr_bench.leaderboard.entry import METRICS, PERCENTILES, PHASES, STAGES, Entry, moment
 from vpr_bench.metrics.bootstrap import Interval
+from vpr_bench.report.foreign import guarded, unguarded
 from vpr_bench.types.protocol import Protocol
 
 SCHEMA = 1
 SCHEMA_COLUMN, DIGEST_COLUMN = "schema", "digest"
-
-_RISKY = "=+-@'\uff1d\uff0b\uff0d\uff20"
-"""A spreadsheet takes a cell that begins so (in full width too) for a formula, or for text that is quoted already."""
 
 
 @dataclass(frozen=True)
@@ -34,22 +32,6 @@ class _Codec:
 
     write: Callable[[Any], str]
     read: Callable[[str], Any]
-
-
-def guarded(text: str) -> str:
-    r"""Write foreign text so that no spreadsheet takes it for a formula; what is empty is told from what is missing.
-
-    Examples
-    --------
-    >>> guarded("hog"), guarded("=1+1"), guarded("'quoted'"), guarded("")
-    ('hog', "'=1+1", "''quoted'", "'")
-    """
-    risky = not text or text[0] in _RISKY or text[0].isspace()
-    return f"'{text}" if risky else text
-
-
-def _unguarded(text: str) -> str:
-    return text.removeprefix("'")
 
 
 def _whole(text: str) -> int:
@@ -99,7 +81,7 @@ def _maybe(codec: _Codec) -> _Codec:
     )
 
 
-_TEXT = _Codec(guarded, _unguarded)
+_TEXT = _Codec(guarded, unguarded)
 _WHOLE = _Codec(str, _whole)
 _NUMBER = _Codec(lambda value: repr(float(value)), _number)
 _SHARE = _Codec(lambda value: "" if math.isnan(value) else repr(float(value)), _share)

@@ -30,6 +30,9 @@ PHASES = ("fit", "match")
 Cell = tuple[str, str, str]
 """Method, protocol id and machine: of one cell there is one row."""
 
+Precedence = tuple[bool, int, datetime, str]
+"""Of two rows of one cell the one with the larger one stays."""
+
 
 @dataclass(frozen=True, eq=False)
 class Entry:
@@ -126,9 +129,22 @@ class Entry:
         return self.method, str(self.protocol), self.machine
 
     @property
-    def precedence(self) -> tuple[bool, datetime, str]:
-        """Of two rows of a cell the one with the larger one stays: the complete one, then the newer one."""
-        return not self.partial, moment(self.created), self.run
+    def precedence(self) -> Precedence:
+        """Of two rows of a cell the one with the larger one stays; see :func:`precedence`."""
+        return precedence(self.partial, self.k, self.created, self.run)
+
+
+def precedence(partial: bool, k: int, created: str, run: str) -> Precedence:
+    """Order the rows of a cell: complete ones come after partial ones, then those that kept more answers, then newer.
+
+    Parameters are as in :class:`Entry`.
+
+    Raises
+    ------
+    ValueError
+        If ``created`` is no time.
+    """
+    return not partial, k, moment(created), run
 
 
 def moment(created: str) -> datetime:

@@ -19,7 +19,7 @@ _LONGEST = 150  # characters of a file's name; file systems allow 255 bytes
 
 
 def table_name(protocol: Protocol) -> str:
-    """Return where the table of a protocol lies in the folder.
+    """Return where the table of a protocol lies in the folder; its name always has an ``@`` in it.
 
     Examples
     --------
@@ -28,7 +28,7 @@ def table_name(protocol: Protocol) -> str:
     """
     folder, _, name = str(protocol).replace(":", ".").partition("/")
     if len(name) > _LONGEST:
-        name = f"{name[:_LONGEST]}.{hashlib.sha256(name.encode()).hexdigest()[:12]}"
+        name = f"{name[:_LONGEST]}@{hashlib.sha256(name.encode()).hexdigest()[:12]}"
     return f"{folder}/{name}.md"
 
 
@@ -89,8 +89,9 @@ def write_tables(root: Path, files: Mapping[str, str]) -> None:
 
 
 def _leftovers(root: Path, files: Mapping[str, str]) -> list[Path]:
+    """Return tables of ours that no protocol has; the overview of another leaderboard, a folder below, is none."""
     expected = {root / name for name in files}
-    there = [path for path in root.glob("*/*.md") if path not in expected]
+    there = [path for path in root.glob("*/*@*.md") if path not in expected]
     return [path for path in there if _is_ours(_text(path))]
 
 

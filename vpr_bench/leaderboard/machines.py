@@ -7,17 +7,17 @@ from vpr_bench.leaderboard.entry import Entry, moment
 
 
 def machine_letters(entries: Iterable[Entry]) -> dict[str, str]:
-    """Give every machine a letter, in the order in which they came into use: A to Z, then AA, AB and so on.
+    """Give every machine a letter, by fingerprint: A to Z, then AA, AB and so on.
+
+    New rows of the same machines change no letter.
 
     Returns
     -------
     dict
         Fingerprint to letter.
     """
-    first: dict[str, str] = {}
-    for entry in sorted(entries, key=lambda one: (moment(one.created), one.machine)):
-        first.setdefault(entry.machine, _letter(len(first)))
-    return first
+    machines = sorted({entry.machine for entry in entries})
+    return {machine: _letter(number) for number, machine in enumerate(machines)}
 
 
 def machine_names(entries: Iterable[Entry]) -> dict[str, str]:

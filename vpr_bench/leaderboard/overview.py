@@ -5,9 +5,10 @@ from dataclasses import replace
 
 from vpr_bench.errors import one_line
 from vpr_bench.leaderboard.machines import machine_names
-from vpr_bench.leaderboard.markdown import link, plain
+from vpr_bench.leaderboard.markdown import link
 from vpr_bench.leaderboard.marks import TIED, name_marks, name_notes
 from vpr_bench.leaderboard.standing import Board, Standing
+from vpr_bench.report.foreign import plain
 from vpr_bench.report.grid import Grid, markdown_table
 from vpr_bench.report.numbers import share
 

@@ -1,7 +1,7 @@
 """Which protocols one run serves: answers do not depend on how far off they may be."""
 
 from vpr_bench.dataset.card import find_card
-from vpr_bench.errors import VprBenchError
+from vpr_bench.errors import UsageError, VprBenchError
 from vpr_bench.runner.store import StoredRun
 from vpr_bench.types.protocol import Protocol
 
@@ -18,3 +18,21 @@ def protocols_of(run: StoredRun) -> list[Protocol]:
         return [own]
     alike = [one for one in listed if (one.source, one.pairing) == (own.source, own.pairing)]
     return list(dict.fromkeys([own, *alike]))
+
+
+def serves(run: StoredRun, protocol: Protocol) -> bool:
+    """Say whether the run's places tell what is right in a protocol of :func:`protocols_of`; nothing is scored.
+
+    Raises
+    ------
+    DataError
+        If the places cannot be read.
+    """
+    places = run.places
+    if protocol.unit == "given":
+        return places.given is not None
+    try:
+        places.check(protocol)
+    except UsageError:
+        return False
+    return places.queries is not None and places.references is not None

@@ -3,7 +3,6 @@
 import csv
 import io
 import json
-import math
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -13,6 +12,7 @@ from vpr_bench.files.atomic import write_bytes
 from vpr_bench.files.disk import disk_errors
 from vpr_bench.leaderboard.columns import HEADER, SCHEMA, SCHEMA_COLUMN, as_values, digest_of, read_row, write_row
 from vpr_bench.leaderboard.entry import Cell, Entry
+from vpr_bench.metrics.undefined import or_none
 from vpr_bench.types.protocol import Protocol
 
 RESULTS = "results.csv"
@@ -77,7 +77,7 @@ def to_json(entries: Iterable[Entry]) -> str:
 def _jsonable(value: Any) -> Any:
     if isinstance(value, Protocol):
         return str(value)
-    return None if isinstance(value, float) and math.isnan(value) else value
+    return or_none(value) if isinstance(value, float) else value
 
 
 def to_csv(entries: Iterable[Entry]) -> str:

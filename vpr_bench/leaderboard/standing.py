@@ -7,9 +7,9 @@ from itertools import groupby
 
 from vpr_bench.dataset.card import Published, find_card
 from vpr_bench.errors import DataError, VprBenchError, one_line
-from vpr_bench.leaderboard.entry import Entry
+from vpr_bench.leaderboard.entry import Entry, moment
 from vpr_bench.metrics.mcnemar import mcnemar
-from vpr_bench.report.table import published_for
+from vpr_bench.report.published import published_for
 from vpr_bench.runner.fair_times import doubt
 from vpr_bench.types.protocol import Protocol
 
@@ -68,7 +68,7 @@ class Board:
     @property
     def simulated(self) -> bool:
         """Whether the images are simulated."""
-        return self.protocol.edition == "simulated"
+        return self.protocol.simulated
 
 
 def boards(entries: Sequence[Entry]) -> list[Board]:
@@ -79,7 +79,7 @@ def boards(entries: Sequence[Entry]) -> list[Board]:
     DataError
         If rows of one protocol were measured on other images or other queries.
     """
-    ordered = sorted(entries, key=lambda one: (one.protocol.edition == "simulated", str(one.protocol)))
+    ordered = sorted(entries, key=lambda one: (one.protocol.simulated, str(one.protocol)))
     return [_board(protocol, list(same)) for protocol, same in groupby(ordered, key=lambda one: one.protocol)]
 
 
@@ -115,7 +115,7 @@ def _board(protocol: Protocol, entries: list[Entry]) -> Board:
 
 def _ranked(entries: list[Entry]) -> list[Standing]:
     by_method: dict[str, list[Entry]] = {}
-    for one in sorted(entries, key=lambda one: (one.precedence, one.machine), reverse=True):
+    for one in sorted(entries, key=lambda one: (moment(one.created), one.run, one.machine), reverse=True):
         by_method.setdefault(one.method, []).append(one)
     newest = sorted((rows[0] for rows in by_method.values()), key=_merit)
     standings: list[Standing] = []

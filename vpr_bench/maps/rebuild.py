@@ -10,7 +10,8 @@ from vpr_bench.maps.commands import fit_again
 from vpr_bench.maps.record import MapRecord
 from vpr_bench.method.build import BuiltMethod, build_method, find_method
 from vpr_bench.method.interfaces import Persistent
-from vpr_bench.method.trust import UntrustedError, registered_only
+from vpr_bench.method.rebuild import rebuilding
+from vpr_bench.method.trust import UntrustedError
 from vpr_bench.method.version import version_of
 
 
@@ -40,16 +41,13 @@ def rebuild(
     """
     given = dict(parameters or {})
     name, fitted = method or record.method.id, record.method
-    with registered_only([name for name in (method, *given.values()) if name is not None]):
-        try:
-            entry, _ = find_method(name)
-            factory = entry.load()
-            if not callable(factory):
-                raise UsageError(f"{name!r} is not a method: {entry.target} must be a class with fit and match.")
-            _check_version(record, folder, name, version_of(entry, factory))
-            built = _built(record, folder, name, given)
-        except UntrustedError as error:
-            raise UsageError(f"{error} If you trust it, say where it is with --method path/to/file.py:Class.") from None
+    with rebuilding(besides=[name for name in (method, *given.values()) if name is not None]):
+        entry, _ = find_method(name)
+        factory = entry.load()
+        if not callable(factory):
+            raise UsageError(f"{name!r} is not a method: {entry.target} must be a class with fit and match.")
+        _check_version(record, folder, name, version_of(entry, factory))
+        built = _built(record, folder, name, given)
     if built.id != fitted.id:
         raise UsageError(f"{folder} is a map of {one_line(fitted.id)!r:.200}, not of {built.id!r}.")
     if not isinstance(built.method, Persistent):

@@ -13,7 +13,7 @@ from vpr_bench.errors import DataError, UsageError, blaming, closest, one_line
 from vpr_bench.method.interfaces import Method, Weighted
 from vpr_bench.method.nested import build_inner, nested_parameters, take_apart
 from vpr_bench.method.presets import preset_parameters
-from vpr_bench.method.trust import check_trusted
+from vpr_bench.method.trust import check_trusted, place_of
 from vpr_bench.method.version import version_of
 from vpr_bench.registry import NOT_INSTALLED, Entry, Registry
 
@@ -28,6 +28,7 @@ def find_method(name: str) -> tuple[Entry, str | None]:
     UsageError
         If there is no such method, or it may not be run here.
     """
+    name = place_of(name)
     base, colon, preset = name.partition(":")
     entry, chosen = (METHODS.entry(base), preset) if colon and base in METHODS else (METHODS.entry(name), None)
     check_trusted(name, entry)

@@ -70,5 +70,7 @@ def build_inner(parameter: str, value: Any, parameters: Mapping[str, Any], seed:
     if isinstance(value, str):
         return build_method(value, parameters, seed)
     if isinstance(value, Mapping) and isinstance(value.get("method"), str):
-        return build_method(value["method"], {**value.get("parameters", {}), **parameters}, seed)
+        own = value.get("parameters", {})
+        if isinstance(own, Mapping):
+            return build_method(value["method"], {**own, **parameters}, seed)
     raise UsageError(f"The parameter {parameter!r} must be the name of a method. Got {value!r} instead.")

@@ -1,13 +1,21 @@
 """Whose code may be run for the name of a method: a map that somebody sent must not name a file that is then run."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
+from dataclasses import dataclass
 
 from vpr_bench.errors import UsageError
 from vpr_bench.registry import NOT_INSTALLED, Entry
 
-_trusted: ContextVar[frozenset[str] | None] = ContextVar("trusted_methods", default=None)
+
+@dataclass(frozen=True)
+class _Trust:
+    names: frozenset[str]
+    places: Mapping[str, str]
+
+
+_trust: ContextVar[_Trust | None] = ContextVar("trust", default=None)
 
 
 class UntrustedError(UsageError):
@@ -15,16 +23,30 @@ class UntrustedError(UsageError):
 
 
 @contextmanager
-def registered_only(besides: Iterable[str] = ()) -> Iterator[None]:
-    """Refuse, inside the ``with`` block, all methods but those of installed packages and those named ``besides``.
+def registered_only(besides: Iterable[str] = (), places: Mapping[str, str] | None = None) -> Iterator[None]:
+    """Refuse, inside the ``with`` block, all methods but those of installed packages and those that the user names.
 
     It reaches the methods inside others too.
+
+    Parameters
+    ----------
+    besides : iterable of str
+        Names of methods, as the user wrote them.
+    places : mapping, optional
+        What results call a method to what the user calls it, who names these too: the one is then taken for the other.
     """
-    token = _trusted.set(frozenset(besides))
+    places = dict(places or {})
+    token = _trust.set(_Trust(frozenset([*besides, *places.values()]), places))
     try:
         yield
     finally:
-        _trusted.reset(token)
+        _trust.reset(token)
+
+
+def place_of(name: str) -> str:
+    """Return what the user calls a method, inside :func:`registered_only`; the name itself if they say nothing."""
+    trust = _trust.get()
+    return name if trust is None else trust.places.get(name, name)
 
 
 def check_trusted(name: str, entry: Entry) -> None:
@@ -35,6 +57,6 @@ def check_trusted(name: str, entry: Entry) -> None:
     UntrustedError
         Inside :func:`registered_only`, if it is neither installed nor one of the exceptions.
     """
-    trusted = _trusted.get()
-    if trusted is not None and entry.origin == NOT_INSTALLED and name not in trusted:
+    trust = _trust.get()
+    if trust is not None and entry.origin == NOT_INSTALLED and name not in trust.names:
         raise UntrustedError(f"The method {name!r:.200} is not installed, and its code is not run for its name alone.")

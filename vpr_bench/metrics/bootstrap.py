@@ -4,7 +4,13 @@ A resample draws as many queries as there are, with replacement, and counts each
 metrics of a resample see the same draw, and so do two runs on the same queries with the same seed: that makes
 :func:`bootstrap_difference` a paired comparison.
 
-Source: Efron and Tibshirani, An Introduction to the Bootstrap, chapter 13 (percentile interval).
+An interval ends on resampled values, and so that the chance to fall short of it, or beyond, is never taken too small:
+with R resamples, the bounds at 95 % are the floor(.025 (R + 1))-th values from below and from above, but the least and
+the greatest one where that is 0. A p-value is 2 (c + 1) / (R + 1), with c the number of resamples on 0 or on its rarer
+side: an interval leaves out 0 just where p is at most the level.
+
+Source: Efron and Tibshirani, An Introduction to the Bootstrap, chapters 13 (percentile interval), 15.4 and 16.4;
+Davison and Hinkley, Bootstrap Methods and their Application, chapters 4.2 and 5.2, for R + 1.
 """
 
 from collections.abc import Iterable, Iterator
@@ -37,6 +43,19 @@ class Interval:
     value: float
     low: float
     high: float
+
+
+@dataclass(frozen=True)
+class Difference(Interval):
+    """A difference with its interval, and how likely one as large is by chance.
+
+    Attributes
+    ----------
+    p_value : float
+        Two-sided, in (0, 1]: the smallest level at which the interval leaves out 0; NaN if there is no interval.
+    """
+
+    p_value: float
 
 
 def bootstrap(
@@ -81,11 +100,11 @@ def bootstrap_difference(
     resamples: int = 2000,
     seed: int = 0,
     confidence: float = 0.95,
-) -> dict[str, Interval]:
-    """Give the difference ``first - second`` of each named metric its interval: a paired bootstrap.
+) -> dict[str, Difference]:
+    """Give the difference ``first - second`` of each named metric its interval and p-value: a paired bootstrap.
 
-    Both runs are resampled together. A difference is significant at ``1 - confidence`` where the interval
-    leaves out 0. The other parameters are those of :func:`bootstrap`.
+    Both runs are resampled together. A difference is significant at ``1 - confidence`` where its p-value is at most
+    that. The other parameters are those of :func:`bootstrap`.
 
     Raises
     ------
@@ -97,9 +116,14 @@ def bootstrap_difference(
     values = [compute(names, answers) for answers in (first, second)]
     samples = [resampled(answers, names, resamples, seed) for answers in (first, second)]
     return {
-        name: percentile_interval(values[0][name] - values[1][name], samples[0][name] - samples[1][name], confidence)
+        name: _difference(values[0][name] - values[1][name], samples[0][name] - samples[1][name], confidence)
         for name in names
     }
+
+
+def _difference(value: float, samples: NDArray[np.float64], confidence: float) -> Difference:
+    interval = percentile_interval(value, samples, confidence)
+    return Difference(value, interval.low, interval.high, two_sided_p_value(samples))
 
 
 def check_paired(first: Answers, second: Answers) -> None:
@@ -162,8 +186,29 @@ def percentile_interval(value: float, samples: NDArray[np.float64], confidence: 
     """
     if not 0 < confidence < 1:
         raise UsageError(f"The confidence must lie between 0 and 1. Got {confidence} instead.")
-    defined = samples[~np.isnan(samples)]
+    defined = np.sort(samples[~np.isnan(samples)])
     if len(defined) == 0:
         return Interval(value, np.nan, np.nan)
-    low, high = np.quantile(defined, [(1 - confidence) / 2, (1 + confidence) / 2])
-    return Interval(value, float(low), float(high))
+    outside = (1 - confidence) / 2 * (len(defined) + 1)
+    rank = max(1, int(outside + 1e-9))  # a rounded .05 must not move the bound
+    return Interval(value, float(defined[rank - 1]), float(defined[-rank]))
+
+
+def two_sided_p_value(samples: NDArray[np.float64]) -> float:
+    """Return the smallest level at which a percentile interval of bootstrapped differences leaves out 0.
+
+    Parameters
+    ----------
+    samples : (resamples,) float64
+        NaN are left out; without any others the result is NaN.
+
+    Examples
+    --------
+    >>> two_sided_p_value(np.array([0.1] * 97 + [-0.1] * 2)), two_sided_p_value(np.zeros(9))
+    (0.06, 1.0)
+    """
+    defined = samples[~np.isnan(samples)]
+    if len(defined) == 0:
+        return float("nan")
+    rarer = min((defined <= 0).sum(), (defined >= 0).sum())
+    return min(1.0, 2 * float(rarer + 1) / (len(defined) + 1))

@@ -7,11 +7,10 @@ from vpr_bench.leaderboard.standing import Board
 from vpr_bench.page.curves import LEVELS
 from vpr_bench.page.looks import displayed
 from vpr_bench.page.radii import unit_in_words
-from vpr_bench.page.ranking import milliseconds
 from vpr_bench.page.scatter import Scatter
 from vpr_bench.page.shown import Shown
 from vpr_bench.report.grid import Grid
-from vpr_bench.report.numbers import UNDEFINED, bounds, share
+from vpr_bench.report.numbers import UNDEFINED, bounds, milliseconds, share
 from vpr_bench.types.protocol import Protocol
 
 

@@ -9,7 +9,6 @@ from vpr_bench.metrics.answers import without_soft
 from vpr_bench.report.rows import answers_of
 from vpr_bench.runner.store import StoredRun
 from vpr_bench.types.ground_truth import GroundTruth
-from vpr_bench.types.places import Places
 from vpr_bench.types.protocol import Protocol
 
 Ranked = tuple[NDArray[np.int64], NDArray[np.floating]]
@@ -75,7 +74,7 @@ def examples_of(run: StoredRun, protocol: Protocol) -> Examples:
 def _example(run: StoredRun, protocol: Protocol, truth: GroundTruth, ranked: Ranked, row: int) -> Example:
     indices, scores = ranked[0][row], ranked[1][row]
     answer = int(indices[0]) if indices[0] >= 0 else None
-    true = _nearest(truth[row], row, run.places)
+    true = run.places.nearest_of(row, truth[row]) if len(truth[row]) else None
     found = np.flatnonzero(indices == true) if true is not None else np.empty(0, np.int64)
     measured = answer is not None and protocol.unit in ("f", "m")
     return Example(
@@ -85,21 +84,5 @@ def _example(run: StoredRun, protocol: Protocol, truth: GroundTruth, ranked: Ran
         truth=true,
         truth_rank=int(found[0]) + 1 if len(found) else None,
         truth_score=float(scores[found[0]]) if len(found) else None,
-        away=float(_distances(run.places, row, np.array([answer]))[0]) if measured else None,
+        away=float(run.places.distances(row, np.array([answer]))[0]) if measured else None,
     )
-
-
-def _nearest(true: NDArray[np.int64], row: int, places: Places) -> int | None:
-    """Return the true match nearest to a query; the first one where places are not measured."""
-    if len(true) == 0:
-        return None
-    if places.queries is None:
-        return int(true[0])
-    return int(true[np.argmin(_distances(places, row, true))])
-
-
-def _distances(places: Places, row: int, references: NDArray[np.int64]) -> NDArray[np.float64]:
-    """(n,) float64: how far references lie from a query."""
-    assert places.queries is not None and places.references is not None  # noqa: S101
-    away = places.references[references] - places.queries[row]
-    return np.asarray(np.abs(away) if away.ndim == 1 else np.linalg.norm(away, axis=1))

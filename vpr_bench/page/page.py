@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import vpr_bench
-from vpr_bench.errors import one_line
+from vpr_bench.errors import DataError, one_line
 from vpr_bench.files.atomic import write_bytes
+from vpr_bench.files.disk import disk_errors
 from vpr_bench.leaderboard.entry import moment
 from vpr_bench.leaderboard.machines import machine_letters, machine_names
 from vpr_bench.leaderboard.standing import Board
@@ -30,7 +31,29 @@ LIMIT = 7_800_000
 
 LEAST = 500_000
 
+_MARK = b'<meta name="generator" content="vpr-bench leaderboard '
+_HEAD = 4096  # bytes of a page that hold the mark
+
 _SCRIPTS = ("unpack", "sections", "tables", "legend", "charts", "gallery", "start")
+
+
+def check_room(file: Path) -> None:
+    """Refuse to write a page over what somebody else wrote.
+
+    Raises
+    ------
+    DataError
+        If the file is there, and is no page of a leaderboard.
+    """
+    if not file.exists():
+        return
+    with disk_errors(file, "read"), file.open("rb") as opened:
+        head = opened.read(_HEAD)
+    if _MARK not in head:
+        raise DataError(
+            f"{file} was not made by `vpr-bench leaderboard`, and the page belongs there. "
+            "Move it away, give another --output, or make no page with --no-page."
+        )
 
 
 def write_page(boards: Sequence[Board], runs: Mapping[str, StoredRun], file: Path, warn: Callable[[str], None]) -> Path:
@@ -57,9 +80,10 @@ def write_page(boards: Sequence[Board], runs: Mapping[str, StoredRun], file: Pat
     Raises
     ------
     DataError
-        If a run is damaged, a package that the page takes its JavaScript from is not as expected, or the file cannot
-        be written.
+        As :func:`check_room`; or if a run is damaged, a package that the page takes its JavaScript from is not as
+        expected, or the file cannot be written.
     """
+    check_room(file)
     entries = [one.entry for board in boards for one in board.standings]
     machines, drawn = machine_letters(entries), looks(one.method for one in entries)
     album = Album()

@@ -10,7 +10,8 @@ from vpr_bench.leaderboard.standing import Board, Standing
 from vpr_bench.metrics.bootstrap import Interval
 from vpr_bench.metrics.definitions import lookup
 from vpr_bench.page.looks import displayed
-from vpr_bench.report.numbers import UNDEFINED, bounds, share
+from vpr_bench.report.numbers import UNDEFINED, bounds, milliseconds, share
+from vpr_bench.report.published import with_sources
 
 METRICS = ("recall@1", "recall@5", "recall@10", "pr_auc", "pr_auc_matched")
 """The metrics of the table, in the order of its columns."""
@@ -119,10 +120,9 @@ def ranking(board: Board, machines: Mapping[str, str]) -> Ranking:
     machines : mapping of str
         Fingerprint to letter.
     """
-    sources = list(dict.fromkeys(map(_source, board.published)))
     lines = [_line(one, machines[one.entry.machine]) for one in board.standings]
-    published = [_published(one, sources.index(_source(one)) + 1) for one in board.published if one.metric in METRICS]
-    return Ranking([*lines, *published], sources)
+    published, sources = with_sources(board.published, METRICS, board.protocol)
+    return Ranking([*lines, *(_published(one, source) for one, source in published)], sources)
 
 
 def _line(standing: Standing, machine: str) -> Line:
@@ -130,7 +130,7 @@ def _line(standing: Standing, machine: str) -> Line:
     shown = {} if entry.partial else entry.metrics
     times = entry.latency if standing.fair_latency and not entry.partial else {}
     cells = [_metric(shown.get(name)) for name in METRICS]
-    cells += [_milliseconds(times.get(f"latency_total_{part}")) for part in ("p50", "p95")]
+    cells += [_time(times.get(f"latency_total_{part}")) for part in ("p50", "p95")]
     return Line(
         kind="unranked" if standing.rank is None else "ranked",
         rank="" if standing.rank is None else str(standing.rank),
@@ -163,27 +163,10 @@ def _metric(interval: Interval | None) -> Cell:
     return Cell(share(interval.value), repr(interval.value), interval if known else None)
 
 
-def _milliseconds(value: float | None) -> Cell:
+def _time(value: float | None) -> Cell:
     return Cell() if value is None or math.isnan(value) else Cell(milliseconds(value), repr(value))
-
-
-def milliseconds(value: float) -> str:
-    """Write a time with three digits that count.
-
-    Examples
-    --------
-    >>> milliseconds(0.0412), milliseconds(7.268), milliseconds(1021.4)
-    ('0.041', '7.27', '1,021')
-    """
-    places = 3 if value < 1 else 2 if value < 10 else 1 if value < 100 else 0
-    return f"{value:,.{places}f}"
 
 
 def _published(one: Published, source: int) -> Line:
     cells = [Cell(f"{one.value:.3f}", repr(one.value)) if name == one.metric else Cell() for name in METRICS]
     return Line("published", "", False, one_line(one.method), ["published"], [*cells, Cell(), Cell()], source=source)
-
-
-def _source(one: Published) -> str:
-    radius = "radius not stated" if one.radius is None else f"radius {one.radius:g}"
-    return f"{one_line(one.source)}, {radius}"

@@ -171,6 +171,7 @@ _LOSSES = "All queries that count, divided into those answered rightly and what 
 
 def _facts(board: Board) -> list[str]:
     protocol, entry = board.protocol, max((one.entry for one in board.standings), key=lambda one: one.n_queries)
+    told = protocol.unmatched != "exclude" or entry.n_counted != entry.n_queries
     counted = "" if entry.n_counted == entry.n_queries else f", of which {entry.n_counted:,} count"
     reach = {
         "pair": "The dataset says by pairs which images show the same place.",
@@ -181,7 +182,7 @@ def _facts(board: Board) -> list[str]:
         f"Map: {entry.n_references:,} references of {protocol.references}.",
         f"Asked: {entry.n_available:,} queries of {protocol.queries}{counted}.",
         reach,
-        *([_UNMATCHED[protocol.unmatched]] if entry.n_counted != entry.n_queries else []),
+        *([_UNMATCHED[protocol.unmatched]] if told else []),
     ]
 
 

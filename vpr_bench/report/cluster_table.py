@@ -3,7 +3,6 @@
 import csv
 import io
 import json
-import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -12,6 +11,7 @@ import numpy as np
 
 from vpr_bench.method.clustering import Clustered
 from vpr_bench.metrics.clustering import central_members, distortion, silhouette
+from vpr_bench.metrics.undefined import or_none
 from vpr_bench.report.grid import Grid
 from vpr_bench.report.numbers import UNDEFINED, share
 
@@ -74,7 +74,7 @@ class ClusterReport:
             "median_size": float(np.median(sizes)),
             "max_size": int(sizes.max()),
             "contiguous": clusters.contiguous,
-            **{name: None if value is None or math.isnan(value) else value for name, value in quality.items()},
+            **{name: or_none(value) for name, value in quality.items()},
         }
 
     def grid(self) -> Grid:

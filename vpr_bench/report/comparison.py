@@ -4,7 +4,7 @@ from vpr_bench.bench.comparison import BEFORE_RERANK, RERANK, Comparison, Varian
 from vpr_bench.metrics.bootstrap import Interval
 from vpr_bench.metrics.latency import TOTAL
 from vpr_bench.report.grid import Grid
-from vpr_bench.report.numbers import share
+from vpr_bench.report.numbers import milliseconds, share
 
 _STAGES = ("encode", "match", RERANK, TOTAL)
 
@@ -33,7 +33,9 @@ def comparison_grid(comparison: Comparison) -> Grid:
 
 def _percentiles(times: dict[str, float], stage: str) -> str:
     name = f"latency_{stage}_p"
-    return f"{times[name + '50']:.2f}\n{times[name + '95']:.2f}" if name + "50" in times else ""
+    if f"{name}50" not in times:
+        return ""
+    return "\n".join(milliseconds(times[f"{name}{percentile}"]) for percentile in (50, 95))
 
 
 def _ratio(ratio: Interval | None, one: VariantTimes, first: VariantTimes) -> str:

@@ -1,5 +1,6 @@
 """A small table of text, written for people or as Markdown."""
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -8,10 +9,15 @@ from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from vpr_bench.report.foreign import plain
+from vpr_bench.report.unbroken import Unbroken
+
+_BARE = re.compile(r"(?<!\\)((?:\\\\)*)\|")  # not escaped: an even number of backslashes before it
+
 
 @dataclass(frozen=True)
 class Grid:
-    """Cells below a head; the first column holds names, the others numbers.
+    """Cells below a head; the first column holds names, the others numbers. All of it is text, and nothing markup.
 
     Attributes
     ----------
@@ -41,26 +47,35 @@ class Grid:
             table.add_row(*map(Text, row))
         # Not the table's title and caption, which would be as narrow as the table.
         note = Text(f"{self.note}\n" if self.note else "", style="italic dim")
-        return Group(Text(self.title, style="bold"), table, note)
+        columns = list(zip(self.head, *self.rows, strict=True))
+        return Group(Text(self.title, style="bold"), Unbroken.of(table, columns[1:]), note)
 
     def markdown(self) -> str:
-        """Write the grid as a Markdown table below its title."""
-        return "\n\n".join(part for part in (self.title, markdown_table(self.head, self.rows), self.note) if part)
+        """Write the grid as a Markdown table below its title; marks in the text are shown as they are."""
+        table = markdown_table(_texts(self.head), map(_texts, self.rows))
+        note = "\n".join(_texts(self.note.splitlines()))
+        return "\n\n".join(part for part in (*_texts([self.title]), table, note) if part)
 
 
 def markdown_table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    r"""Write a Markdown table; line breaks in a cell become spaces.
+    r"""Write a Markdown table of cells that are Markdown; line breaks in them become spaces.
+
+    Foreign text has to be made :func:`~vpr_bench.report.foreign.plain` first.
 
     Examples
     --------
-    >>> print(markdown_table(["name", "value"], [["a|b", "1"]]))
+    >>> print(markdown_table(["name", "value"], [["`a|b`", "*1*"]]))
     | name | value |
     | --- | --- |
-    | a\|b | 1 |
+    | `a\|b` | *1* |
     """
     lines = [head, ["---"] * len(head), *rows]
     return "\n".join("| " + " | ".join(_cell(cell) for cell in line) + " |" for line in lines)
 
 
 def _cell(text: str) -> str:
-    return " ".join(text.replace("|", "\\|").splitlines())
+    return " ".join(_BARE.sub(r"\1\\|", text).splitlines())
+
+
+def _texts(texts: Sequence[str]) -> list[str]:
+    return [plain(text) if text else "" for text in texts]

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from vpr_bench.report.grid import Grid
 from vpr_bench.report.losses import losses_grid
-from vpr_bench.report.numbers import bounds, share
+from vpr_bench.report.numbers import bounds, milliseconds, share
 from vpr_bench.report.rows import Row
 
 
@@ -23,7 +23,7 @@ def to_markdown(rows: Sequence[Row]) -> str:
             row.run.folder.name[:6],
             str(row.protocol),
             *(_value(row, metric) for metric in metrics),
-            f"{row.latency['latency_total_p50']:.1f}" if "latency_total_p50" in row.latency else "",
+            milliseconds(row.latency["latency_total_p50"]) if "latency_total_p50" in row.latency else "",
         ]
         for row in rows
     ]

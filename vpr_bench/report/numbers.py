@@ -1,4 +1,4 @@
-"""How numbers between 0 and 1 are written."""
+"""How numbers are written."""
 
 import math
 
@@ -37,6 +37,20 @@ def bounds(low: float, high: float) -> str:
     ('.86–.95', '')
     """
     return "" if math.isnan(low) or math.isnan(high) else f"{_short(low)}–{_short(high)}"
+
+
+def milliseconds(value: float) -> str:
+    """Write a time with three digits that count; of less than a nanosecond nothing is left.
+
+    Examples
+    --------
+    >>> milliseconds(0.0412), milliseconds(7.268), milliseconds(9.996), milliseconds(1021.4)
+    ('0.0412', '7.27', '10.0', '1,021')
+    """
+    if math.isnan(value):
+        return UNDEFINED
+    exponent = int(f"{value:.2e}".partition("e")[2])  # of the rounded value
+    return f"{value:,.{min(max(2 - exponent, 0), 6)}f}"
 
 
 def _short(value: float) -> str:

@@ -6,8 +6,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from vpr_bench.dataset.load import Case, load_case
+from vpr_bench.dataset.load import Case
 from vpr_bench.errors import DataError, VprBenchError
+from vpr_bench.runner.images import OtherImagesError, case_of
 from vpr_bench.runner.store import StoredRun
 
 
@@ -24,31 +25,30 @@ class RunPictures:
     dataset : str, optional
         Where the images are, as for :func:`~vpr_bench.dataset.load.load_case`: a folder of one's own is not found by
         its name.
+    render : bool
+        Render simulated images that are not here yet: worth it to look at them, and not for their names.
     """
 
-    def __init__(self, run: StoredRun, warn: Callable[[str], None], dataset: str | None = None) -> None:
+    def __init__(
+        self, run: StoredRun, warn: Callable[[str], None], dataset: str | None = None, *, render: bool = True
+    ) -> None:
         self._run = run
         self._warn = warn
         self._dataset = dataset
+        self._render = render
 
     @cached_property
     def case(self) -> Case | None:
         """The images and places, None if they are not here as they were."""
-        key, protocol = self._run.record.key, self._run.protocol
+        key = self._run.record.key
         try:
-            case = (
-                load_case(self._dataset, f"{protocol.pairing}@{protocol.reach}")
-                if self._dataset
-                else load_case(str(protocol))
-            )
-            if case.digest != key.dataset_digest:
-                raise DataError(
-                    f"they are not those of the run: {key.dataset_digest:.15}… then, {case.digest:.15}… now."
-                )
+            return case_of(self._run.protocol, key.dataset_digest, self._dataset, render=self._render)
+        except OtherImagesError as other:
+            why = f"they are not those of the run: {other.recorded:.15}… then, {other.found:.15}… now."
         except VprBenchError as error:
-            self._warn(f"The images of {key.source}/{key.pairing} cannot be shown: {error}")
-            return None
-        return case
+            why = str(error)
+        self._warn(f"The images of {key.source}/{key.pairing} cannot be shown: {why}")
+        return None
 
     def query_name(self, query: int) -> str:
         """Return the file name of a query, with its traverse, or its number."""

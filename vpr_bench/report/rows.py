@@ -10,6 +10,7 @@ from vpr_bench.metrics.bootstrap import Interval, bootstrap
 from vpr_bench.metrics.definitions import evaluate
 from vpr_bench.metrics.latency import latency
 from vpr_bench.metrics.losses import Step, losses
+from vpr_bench.metrics.undefined import or_none
 from vpr_bench.runner.store import StoredRun
 from vpr_bench.types.protocol import Protocol
 
@@ -61,10 +62,10 @@ class Row:
             "partial": self.partial,
             "n_references": record.n_references,
             "n_queries": record.n_queries,
-            "metrics": {name: _or_none(value) for name, value in self.metrics.items()},
-            "intervals": {name: [_or_none(low), _or_none(high)] for name, (low, high) in self.intervals.items()},
+            "metrics": {name: or_none(value) for name, value in self.metrics.items()},
+            "intervals": {name: [or_none(low), or_none(high)] for name, (low, high) in self.intervals.items()},
             "steps": [_step(step) for step in self.steps],
-            "latency_ms": {name: _or_none(value) for name, value in self.latency.items()},
+            "latency_ms": {name: or_none(value) for name, value in self.latency.items()},
             "fit_seconds": record.fit_seconds,
             "peak_memory_bytes": record.peak_memory,
             "seed": record.key.seed,
@@ -141,17 +142,13 @@ def answers_of(run: StoredRun, protocol: Protocol | None = None) -> Answers:
 def _step(step: Step) -> dict[str, Any]:
     content = {
         "step": step.name,
-        "left": _or_none(step.left),
-        "recall": _or_none(step.recall.value),
-        "lost": _or_none(step.lost.value),
+        "left": or_none(step.left),
+        "recall": or_none(step.recall.value),
+        "lost": or_none(step.lost.value),
     }
     intervals = {"recall_interval": step.recall, "lost_interval": step.lost}
     return content | {name: _bounds(interval) for name, interval in intervals.items() if not math.isnan(interval.low)}
 
 
 def _bounds(interval: Interval) -> list[float | None]:
-    return [_or_none(interval.low), _or_none(interval.high)]
-
-
-def _or_none(value: float) -> float | None:
-    return None if math.isnan(value) else value
+    return [or_none(interval.low), or_none(interval.high)]

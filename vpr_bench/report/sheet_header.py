@@ -35,7 +35,7 @@ def draw_header(case: Case, columns: Sequence[Column], width: int) -> Image.Imag
     header = Image.new("RGB", (width, 112), PAPER)
     pen = ImageDraw.Draw(header)
     room = width
-    if case.protocol.edition == "simulated":
+    if case.protocol.simulated:
         face = font(15, bold=True)
         badge = round(face.getlength(_SIMULATED)) + 24
         pen.rounded_rectangle((width - badge, 0, width - 1, 29), 6, RED)

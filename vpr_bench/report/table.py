@@ -12,10 +12,12 @@ from rich.table import Table
 from rich.text import Text
 
 from vpr_bench.dataset.card import Card, Published
+from vpr_bench.report.foreign import guarded_cells
 from vpr_bench.report.losses import losses_line
-from vpr_bench.report.numbers import bounds, share
+from vpr_bench.report.numbers import bounds, milliseconds, share
+from vpr_bench.report.published import published_for, with_sources
 from vpr_bench.report.rows import Row
-from vpr_bench.types.protocol import Protocol
+from vpr_bench.report.unbroken import Unbroken
 
 _BESIDE_TIMES, _WITHOUT_TIMES = 4, 6  # metrics per table, so that it fits a window of 80 columns
 _STAGES = ("encode", "match", "rerank", "total")
@@ -47,18 +49,6 @@ def render_tables(rows: Sequence[Row], cards: dict[str, Card]) -> RenderableType
     return Group(*tables)
 
 
-def published_for(card: Card, protocol: Protocol) -> list[Published]:
-    """Return the published numbers of a protocol: same pairing, and the same reach where one is stated."""
-    if protocol.edition != "real":
-        return []
-    return [
-        one
-        for one in card.published
-        if f"{one.references}-{one.queries}" == protocol.pairing
-        and (one.radius is None or (one.radius, one.unit or card.unit) == (protocol.radius, protocol.unit))
-    ]
-
-
 def _stages(rows: Sequence[Row]) -> list[str]:
     return [stage for stage in _STAGES if any(f"latency_{stage}_p50" in row.latency for row in rows)]
 
@@ -80,21 +70,21 @@ def _table(
         pad_edge=False,
     )
     table.add_column("method\nrun", overflow="fold", min_width=10)
-    for metric in metrics:
-        table.add_column(_broken(metric), justify="right")
-    for stage in stages:
-        table.add_column(f"{stage}\nms", justify="right")
-    for row in rows:
-        values = [_value(row, metric) for metric in metrics]
-        table.add_row(_name(row), *values, *(_percentiles(row, stage) for stage in stages))
-    shown = [one for one in published if one.metric in metrics]
-    sources = list(dict.fromkeys(_source(one) for one in shown))
+    heads = [*map(_broken, metrics), *(f"{stage}\nms" for stage in stages)]
+    for head in heads:
+        table.add_column(head, justify="right", no_wrap=True)
+    cells = [
+        [*(_value(row, metric) for metric in metrics), *(_percentiles(row, stage) for stage in stages)] for row in rows
+    ]
+    for row, values in zip(rows, cells, strict=True):
+        table.add_row(_name(row), *values)
+    shown, sources = with_sources(published, metrics, rows[0].protocol)
     if shown:
         table.add_section()
         table.add_row("published:", style="dim")
-    for one in shown:
+    for one, number in shown:
         values = [f"{one.value:.3f}" if metric == one.metric else "" for metric in metrics]
-        table.add_row(Text(f"{one.method} [{sources.index(_source(one)) + 1}]"), *values, style="dim")
+        table.add_row(Text(f"{one.method} [{number}]"), *values, style="dim")
     threads = " or ".join(sorted({str(record.key.threads) for record in records}))
     notes = []
     if stages:
@@ -106,7 +96,7 @@ def _table(
     notes += [losses_line(row) for row in rows if stages and row.steps]
     notes += [f"[{number}] {source}" for number, source in enumerate(sources, 1)]
     # Not the table's caption, which would be as narrow as the table.
-    return Group(table, Text("\n".join([*notes, ""]), style="italic dim"))
+    return Group(Unbroken.of(table, zip(heads, *cells, strict=True)), Text("\n".join([*notes, ""]), style="italic dim"))
 
 
 def _comparable(row: Row) -> tuple[str, str, int]:
@@ -135,12 +125,9 @@ def _value(row: Row, metric: str) -> str:
 
 def _percentiles(row: Row, stage: str) -> str:
     name = f"latency_{stage}_p"
-    return f"{row.latency[name + '50']:.1f}\n{row.latency[name + '95']:.1f}" if name + "50" in row.latency else ""
-
-
-def _source(one: Published) -> str:
-    radius = "radius not stated" if one.radius is None else f"radius {one.radius:g}"
-    return f"{one.source}, {radius}"
+    if f"{name}50" not in row.latency:
+        return ""
+    return "\n".join(milliseconds(row.latency[f"{name}{percentile}"]) for percentile in (50, 95))
 
 
 def to_json(rows: Iterable[Row]) -> str:
@@ -149,8 +136,8 @@ def to_json(rows: Iterable[Row]) -> str:
 
 
 def to_csv(rows: Sequence[Row]) -> str:
-    """Write rows as CSV with one column per number; undefined ones are empty."""
-    flat = [row.flat() for row in rows]
+    """Write rows as CSV with one column per number; undefined ones are empty, and no text begins a formula."""
+    flat = [guarded_cells(row.flat()) for row in rows]
     columns = list(dict.fromkeys(name for line in flat for name in line))
     text = io.StringIO()
     writer = csv.DictWriter(text, columns, lineterminator="\n")

@@ -24,7 +24,7 @@ class OtherImagesError(DataError):
         self.recorded, self.found, self.folder = recorded, found, folder
 
 
-def case_of(protocol: Protocol, digest: str, dataset: str | None = None) -> Case:
+def case_of(protocol: Protocol, digest: str, dataset: str | None = None, *, render: bool = True) -> Case:
     """Load the images and places of a result, if they are those it was made of.
 
     Parameters
@@ -36,6 +36,8 @@ def case_of(protocol: Protocol, digest: str, dataset: str | None = None) -> Case
     dataset : str, optional
         Where the images are, as for :func:`~vpr_bench.dataset.load.load_case`: a folder of one's own is not found by
         its name.
+    render : bool
+        Render simulated images that are not here yet; else they are missing.
 
     Raises
     ------
@@ -47,9 +49,9 @@ def case_of(protocol: Protocol, digest: str, dataset: str | None = None) -> Case
         If they are missing or damaged.
     """
     if dataset is None:
-        case = load_case(str(protocol))
+        case = load_case(str(protocol), render=render)
     else:
-        case = load_case(dataset, f"{protocol.pairing}@{protocol.reach}", unmatched=protocol.unmatched)
+        case = load_case(dataset, f"{protocol.pairing}@{protocol.reach}", unmatched=protocol.unmatched, render=render)
     if case.digest != digest:
         raise OtherImagesError(digest, case.digest, case.folder)
     return replace(case, protocol=protocol)

@@ -9,8 +9,9 @@ from pydantic import BaseModel, ConfigDict, ValidationError
 
 from vpr_bench.errors import DamagedError, DataError, UsageError, first_fault
 from vpr_bench.files.disk import disk_errors
+from vpr_bench.files.migrations import migrated
 from vpr_bench.runner.machine import Machine
-from vpr_bench.runner.migrations import SCHEMA_VERSION, migrated
+from vpr_bench.runner.migrations import SCHEMA_VERSION, STEPS
 from vpr_bench.runner.provenance import Provenance
 from vpr_bench.types.protocol import Protocol
 
@@ -125,7 +126,7 @@ def read_record(path: Path) -> RunRecord:
             f"{path} has schema version {found}; this vpr-bench reads 1 to {SCHEMA_VERSION}. Update vpr-bench."
         )
     try:
-        record = RunRecord.model_validate(migrated(content))
+        record = RunRecord.model_validate(migrated(content, STEPS, SCHEMA_VERSION))
         Protocol.parse(record.protocol)
     except ValidationError as error:
         raise DamagedError(f"{path} is damaged: {first_fault(error)}.") from None

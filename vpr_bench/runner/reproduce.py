@@ -5,12 +5,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from vpr_bench.dataset.load import Case, load_case
+from vpr_bench.dataset.load import Case
 from vpr_bench.errors import DamagedError, DataError, UsageError, closest, one_line
 from vpr_bench.method.build import BuiltMethod, build_method, find_method
-from vpr_bench.method.trust import UntrustedError, registered_only
+from vpr_bench.method.rebuild import called, places_of, rebuilding
+from vpr_bench.method.trust import UntrustedError
 from vpr_bench.method.version import version_of
 from vpr_bench.registry import NOT_INSTALLED
+from vpr_bench.runner.images import OtherImagesError, case_of
 from vpr_bench.runner.provenance import SourceState
 from vpr_bench.runner.record import RunKey, RunRecord
 from vpr_bench.runner.run import RunOptions, run, run_key
@@ -67,14 +69,13 @@ def rebuild(record: RunRecord, methods: Sequence[str] = ()) -> BuiltMethod:
     Parameters and errors are those of :func:`reproduce`.
     """
     key = record.key
-    places = _places(key, methods)
-    with registered_only(methods):
+    with rebuilding(_places(key, methods)):
         try:
             for name, version in _versions(key.method, key.version, key.parameters):
-                _check(record, f"The version of {name}", version, _version_here(places.get(name, name)))
-            built = build_method(places.get(key.method, key.method), _placed(key.parameters, places))
-        except UntrustedError as error:
-            raise UsageError(f"{error} If you trust it, say where it is with --method path/to/file.py:Class.") from None
+                _check(record, f"The version of {name}", version, _version_here(name))
+            built = build_method(key.method, key.parameters)
+        except UntrustedError:
+            raise
         except UsageError as error:
             raise DataError(f"{error}\n{_made_with(record)}") from None
     _check(record, f"The weights of {key.method}", key.weights, built.weights)
@@ -89,22 +90,18 @@ def same_case(original: StoredRun, dataset: str | None = None) -> Case:
     Parameters and errors are those of :func:`reproduce`.
     """
     protocol, record = original.protocol, original.record
-    try:
-        case = (
-            load_case(str(protocol))
-            if dataset is None
-            else load_case(dataset, f"{protocol.pairing}@{protocol.reach}", unmatched=protocol.unmatched)
-        )
-    except UsageError as error:
-        if dataset is not None:
-            raise
-        raise DataError(f"{error} If its images are a folder of yours, say where with --dataset PATH.") from None
     advice = (
         f"The run had other images, or other places for them. See `vpr-bench data verify {protocol.source}`; "
         "say where a folder of yours is with --dataset PATH."
     )
-    _check(record, "The digest of the images", record.key.dataset_digest, case.digest, advice)
-    return replace(case, protocol=protocol)  # a folder may be called otherwise by now
+    try:
+        return case_of(protocol, record.key.dataset_digest, dataset)
+    except OtherImagesError as error:
+        raise _other(record, "The digest of the images", error.recorded, error.found, advice) from None
+    except UsageError as error:
+        if dataset is not None:
+            raise
+        raise DataError(f"{error} If its images are a folder of yours, say where with --dataset PATH.") from None
 
 
 def _is_complete(store: RunStore, key: RunKey) -> bool:
@@ -117,13 +114,10 @@ def _is_complete(store: RunStore, key: RunKey) -> bool:
 def _places(key: RunKey, methods: Sequence[str]) -> dict[str, str]:
     """Return what the user calls the methods of a run that are not installed, by what the run calls them."""
     known = [name for name, _ in _versions(key.method, key.version, key.parameters)]
-    places = {}
-    for method in methods:
-        entry, preset = find_method(method)
-        called = entry.name if preset is None else method
-        if called not in known:
-            raise UsageError(f"The run has no method {called!r}. {closest(called, map(one_line, known))}")
-        places[called] = method
+    places = places_of({method: called(method) for method in methods})
+    for name in places:
+        if name not in known:
+            raise UsageError(f"The run has no method {name!r}. {closest(name, map(one_line, known))}")
     return places
 
 
@@ -133,19 +127,6 @@ def _versions(method: str, version: str, parameters: Mapping[str, Any]) -> Itera
     for value in parameters.values():
         if _is_method(value):
             yield from _versions(value["method"], str(value.get("version")), value["parameters"])
-
-
-def _placed(parameters: Mapping[str, Any], places: Mapping[str, str]) -> dict[str, Any]:
-    """Return parameters with the methods among them called as the user calls them."""
-    return {
-        name: {
-            "method": places.get(value["method"], value["method"]),
-            "parameters": _placed(value["parameters"], places),
-        }
-        if _is_method(value)
-        else value
-        for name, value in parameters.items()
-    }
 
 
 def _is_method(value: Any) -> bool:
@@ -172,10 +153,14 @@ def _check(record: RunRecord, what: str, recorded: Any, found: Any, advice: str 
         Says what, what was recorded and found, and what to do.
     """
     if recorded != found:
-        raise DataError(
-            f"{one_line(what):.{_LONGEST}} is not that of the run: recorded was {_quoted(recorded)}, "
-            f"found is {_quoted(found)}.\n{advice or _made_with(record)}"
-        )
+        raise _other(record, what, recorded, found, advice)
+
+
+def _other(record: RunRecord, what: str, recorded: Any, found: Any, advice: str = "") -> DataError:
+    return DataError(
+        f"{one_line(what):.{_LONGEST}} is not that of the run: recorded was {_quoted(recorded)}, "
+        f"found is {_quoted(found)}.\n{advice or _made_with(record)}"
+    )
 
 
 def _made_with(record: RunRecord) -> str:

@@ -19,6 +19,7 @@ from vpr_bench.runner.store import RunStore, StoredRun, StoreWarning
 Overwrite = Literal["only-missing", "always", "never"]
 
 _DEFAULT_K = 20
+_MOST_THREADS = 1024  # more than machines have: a number from somebody's run.json must not start them
 
 
 @dataclass(frozen=True)
@@ -58,8 +59,8 @@ def run_key(case: Case, built: BuiltMethod, options: RunOptions) -> RunKey:
     Raises
     ------
     UsageError
-        If ``k``, the limit or the time-out is out of range, or the method says that it is sequential and has no
-        ``reset``.
+        If ``k``, the limit, the threads or the time-out are out of range, or the method says that it is sequential
+        and has no ``reset``.
     """
     size = len(case.references)
     k = min(_DEFAULT_K, size) if options.k is None else options.k
@@ -67,6 +68,9 @@ def run_key(case: Case, built: BuiltMethod, options: RunOptions) -> RunKey:
         raise UsageError(f"k must lie between 1 and {size}, the number of references. Got {k} instead.")
     if options.limit is not None and options.limit < 1:
         raise UsageError(f"The limit must be at least 1. Got {options.limit} instead.")
+    most = max(_MOST_THREADS, available_cores())
+    if options.threads is not None and not 1 <= options.threads <= most:
+        raise UsageError(f"The threads must lie between 1 and {most}. Got {options.threads} instead.")
     if options.timeout is not None and not 0 < options.timeout < math.inf:
         raise UsageError(f"The time-out must be positive. Got {options.timeout} instead.")
     try:
@@ -85,7 +89,7 @@ def run_key(case: Case, built: BuiltMethod, options: RunOptions) -> RunKey:
         seed=options.seed,
         k=k,
         limit=limit,
-        threads=options.threads or available_cores(),
+        threads=available_cores() if options.threads is None else options.threads,
     )
 
 

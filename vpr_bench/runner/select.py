@@ -35,10 +35,13 @@ def select_runs(names: Sequence[str] | None, root: Path) -> list[StoredRun]:
 
 def select_run(name: str, root: Path) -> StoredRun:
     """Return one run by its folder or the beginning of its hash; parameters and errors as :func:`select_runs`."""
-    if (Path(name) / RECORD).exists():
-        return StoredRun.open(Path(name))
+    folder = Path(name).parent if Path(name).name == RECORD else Path(name)
+    if (folder / RECORD).exists():
+        return StoredRun.open(folder)
     if not re.fullmatch("[0-9a-f]+", name):
-        raise UsageError(f"{name!r} is neither a run's folder nor the beginning of a run's hash.")
+        raise UsageError(
+            f"{name!r} is neither a run's folder nor the beginning of a run's hash. `vpr-bench show` lists them."
+        )
     found = sorted(root.glob(f"*/*/*/{name}*/{RECORD}"))
     found = [record for record in found if "." not in record.parent.name]
     if len(found) != 1:

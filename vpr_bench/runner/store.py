@@ -28,6 +28,8 @@ RECORD, MATCHES, TIMINGS, LABELS = "run.json", "matches.npz", "timings.npz", "la
 SHORTLISTS = "shortlists.npz"
 """Only there if the method noted any."""
 
+_REDO = "`vpr-bench run` with the same method and dataset does the run again."
+
 
 class StoreWarning(UserWarning):
     """Something on disk is not as it was left."""
@@ -55,17 +57,20 @@ class StoredRun:
         Raises
         ------
         DamagedError
-            If something is missing or not as it was written.
+            If something is missing or not as it was written; of a folder with the name that a store gives, also if the
+            name is not the hash of the run's key.
         DataError
             If it was written by a version with another schema, or cannot be read.
         """
         record = read_record(folder / RECORD)
         for name, digest in record.files.items():
-            if not (folder / name).is_file() or sha256_of_file(folder / name) != digest:
-                raise DamagedError(
-                    f"{folder / name} is damaged: it is not what run.json recorded. "
-                    "Run the same command again to redo it."
-                )
+            if not (folder / name).is_file():
+                raise DamagedError(f"{folder / name} is missing. {_REDO}")
+            if sha256_of_file(folder / name) != digest:
+                raise DamagedError(f"{folder / name} is damaged: it is not what run.json recorded. {_REDO}")
+        found = record.key.digest()
+        if re.fullmatch("[0-9a-f]{12}", folder.name) and folder.name != found:
+            raise DamagedError(f"{folder / RECORD} was edited: the hash of its key is {found}. {_REDO}")
         return cls(folder, record)
 
     @property

@@ -69,6 +69,32 @@ class Places:
                 "every answer would be right. Give a smaller one."
             )
 
+    def distances(self, query: int, references: NDArray[np.int64]) -> NDArray[np.float64]:
+        """(n,) float64: how far these references lie from a query, by their labels.
+
+        Raises
+        ------
+        UsageError
+            If there are no labels.
+        """
+        if self.queries is None or self.references is None:
+            raise UsageError("Without place labels there is no distance.")
+        away = (self.references[references] - self.queries[query]).reshape(len(references), -1)
+        return np.asarray(np.linalg.norm(away, axis=1))
+
+    def nearest_of(self, query: int, references: NDArray[np.int64]) -> int:
+        """Return which of at least one reference lies nearest to a query; the first one where there are no labels.
+
+        Examples
+        --------
+        >>> places = Places(queries=np.array([4.0]), references=np.array([0.0, 3.0, 9.0]))
+        >>> places.nearest_of(0, np.array([0, 1, 2])), Places().nearest_of(0, np.array([2, 1]))
+        (1, 2)
+        """
+        if self.queries is None or self.references is None:
+            return int(references[0])
+        return int(references[self.distances(query, references).argmin()])
+
     def take(self, queries: ArrayLike) -> "Places":
         """Return what is known about some of the queries, in that order."""
         chosen = np.asarray(queries, dtype=np.int64)

@@ -114,6 +114,11 @@ class Protocol:
         """References and queries, as written in the id: ``day_left-night_right``."""
         return f"{self.references}-{self.queries}"
 
+    @property
+    def simulated(self) -> bool:
+        """Whether the project rendered the images: such a number says nothing about the real dataset."""
+        return self.edition == "simulated"
+
     def with_radius(self, radius: float) -> "Protocol":
         """Return the same protocol with another radius."""
         return dataclasses.replace(self, radius=radius)

@@ -1,6 +1,7 @@
 import json
 import shutil
 import xml.etree.ElementTree as ET
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,7 @@ import pytest
 
 from vpr_bench.files.atomic import read_arrays, write_arrays
 from vpr_bench.files.digest import sha256_of_file
+from vpr_bench.runner.record import RunKey
 
 SMALL = ("--param", "width=32", "--param", "height=32", "--param", "cell=8")
 LABEL = "hog(width=32, height=32, cell=8)"
@@ -33,9 +35,11 @@ def answer_otherwise(folder, queries):
 
 
 def edit_record(folder, **facts):
+    """Change the key of a run, and the name of its folder with it."""
     record = json.loads((folder / "run.json").read_text())
     record["key"] |= facts
     (folder / "run.json").write_text(json.dumps(record))
+    folder.replace(folder.with_name(RunKey(**record["key"]).digest()))
 
 
 def test_recording_and_judging(vpr_bench, recorded):
@@ -134,7 +138,7 @@ def test_pruning(vpr_bench, recorded):
 @pytest.mark.parametrize(
     ("harm", "said"),
     [
-        (lambda run: (run / "matches.npz").unlink(), "matches.npz is damaged"),
+        (lambda run: (run / "matches.npz").unlink(), "matches.npz is missing"),
         (lambda run: (run / "run.json").write_text("{"), "run.json is damaged"),
         (lambda run: (run / "run.json").write_text('{"schema_version": 99}'), "schema version 99"),
         (lambda run: edit_record(run, dataset_digest="sha256:" + "1" * 64), "the images are others: sha256:"),
@@ -208,7 +212,7 @@ def test_a_method_of_ones_own_is_run_if_it_is_named(vpr_bench, recorded):
     assert vpr_bench("gate", "--update").code == 0
     done = vpr_bench("gate", "--run", "--runs", "again")
     assert done.code == 2
-    assert "Name it with --method" in done.out
+    assert "say where it is with --method" in " ".join(done.out.split())
     assert vpr_bench("gate", "--run", "--runs", "again", "--method", "mine.py:Mine").code == 0
     Path("mine.py").write_text(Path("mine.py").read_text().replace("-np.arange", "np.arange"))
     done = vpr_bench("gate", "--run", "--runs", "again", "--method", "mine.py:Mine", "--exact")
@@ -231,3 +235,53 @@ def test_random_answers_of_another_seed_are_another_cell(vpr_bench, recorded):
     assert vpr_bench("gate", "--update").code == 0
     assert json.loads(BASELINE.read_text())["cells"]["tiny/day_left-day_right@1f random"]["seed"] == 5
     assert np.all([vpr_bench("gate", "--run", "--runs", "again", "--exact").code == 0 for _ in range(2)])
+
+
+def test_a_cell_of_another_radius_is_added_by_its_name(vpr_bench, recorded):
+    wider = ("--protocol", "day_left-day_right@4f")
+    judged = vpr_bench("gate", *wider)
+    assert (judged.code, "1 new" in judged.out) == (0, True)
+    done = vpr_bench("gate", "--update", *wider)
+    assert (done.code, done.err) == (0, "baseline.json: 1 added\n")
+    ids = [f"tiny/day_left-day_right@{reach} {LABEL}" for reach in ("1f", "4f")]
+    assert list(json.loads(BASELINE.read_text())["cells"]) == ids
+    for words in ((), wider, (*wider, "--run"), ("--run", "--runs", "again"), ("--update",)):
+        done = vpr_bench("gate", *words)
+        assert done.code == 0
+        assert "new" not in done.out
+    assert "2 passed" in done.out
+
+
+def test_the_real_images_only(vpr_bench, recorded):
+    vpr_bench("run", "--method", "hog", *SMALL, "--dataset", "tiny:simulated")
+    assert vpr_bench("gate", "--update").code == 0
+    assert "2 passed" in vpr_bench("gate", "--dataset", "tiny").out
+    assert "1 passed, 1 not asked about" in vpr_bench("gate", "--dataset", "tiny:real").out
+
+
+def test_cells_that_another_process_adds_meanwhile_are_kept(vpr_bench, recorded, monkeypatch):
+    vpr_bench("run", "--method", "random", "--dataset", "tiny")
+    before = BASELINE.read_text()
+    vpr_bench("gate", "--update")
+    with_random = BASELINE.read_text()
+    BASELINE.write_text(before)
+
+    @contextmanager
+    def waited(*_):
+        BASELINE.write_text(with_random)
+        yield
+
+    monkeypatch.setattr("vpr_bench.gate.baseline.held", waited)
+    answer_otherwise(recorded, [3])
+    assert vpr_bench("gate", "--update", "--method", "hog").code == 0
+    cells = json.loads(BASELINE.read_text())["cells"]
+    assert len(cells) == 2
+    assert BASELINE.read_text() != with_random
+
+
+def test_a_metric_that_needs_more_answers_than_were_kept_fails(vpr_bench, tiny_dataset):
+    assert vpr_bench("run", "--method", "hog", *SMALL, "--dataset", "tiny", "--k", "4").code == 0
+    assert vpr_bench("gate", "--update").code == 0
+    done = vpr_bench("gate", "--tolerance", "recall@5=0")
+    assert done.code == 1
+    assert "it needs more answers than the 4 that were kept (--k)" in " ".join(done.out.split())

@@ -2,10 +2,14 @@ import csv
 import io
 import json
 import shutil
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
+from vpr_bench.leaderboard import renewal
+
+LOCK = renewal.LOCK
 SMALL = ("--param", "width=32", "--param", "height=32", "--param", "cell=8")
 HOG = ("run", "--method", "hog", *SMALL, "--dataset", "tiny")
 BOARD = ("leaderboard", "--no-page")
@@ -31,7 +35,7 @@ def runs(vpr_bench, tiny_dataset, kept):
 
 
 def everything(folder="leaderboards"):
-    return {path: path.read_bytes() for path in Path(folder).rglob("*") if path.is_file()}
+    return {path: path.read_bytes() for path in Path(folder).rglob("*") if path.is_file() and path.name != LOCK}
 
 
 def run_folder(method):
@@ -184,7 +188,7 @@ def test_a_run_that_cannot_be_scored_is_left_out_and_a_named_one_refused(vpr_ben
     record = run_folder("random") / "run.json"
     record.write_text(record.read_text("utf-8").replace("@1f", "@100f"), "utf-8")
     assert vpr_bench(*BOARD, str(record.parent)).code == 2
-    assert not Path("leaderboards").exists()
+    assert everything() == {}
     done = vpr_bench(*BOARD, "--format", "json")
     assert [row["method"][:3] for row in json.loads(done.out)] == ["hog"]
     assert "It is left out." in done.err
@@ -233,6 +237,34 @@ def test_what_others_wrote_is_not_written_over(vpr_bench, runs):
     assert done.code == 3
     assert "was not made by `vpr-bench leaderboard`" in done.err
     assert everything() == {Path("leaderboards/README.md"): b"mine"}
+
+
+def test_nothing_is_written_where_the_page_would_go_over_that_of_somebody_else(vpr_bench, runs):
+    site = Path("docs/index.html")
+    site.parent.mkdir()
+    site.write_text("<!doctype html><title>mine</title>")
+    done = vpr_bench("leaderboard", "--output", "docs")
+    assert done.code == 3
+    assert "docs/index.html was not made by `vpr-bench leaderboard`" in done.err
+    assert list(everything("docs")) == [site]
+    assert vpr_bench(*BOARD, "--output", "docs").code == 0
+    assert site.read_text() == "<!doctype html><title>mine</title>"
+
+
+def test_rows_that_another_process_writes_meanwhile_are_kept(vpr_bench, runs, monkeypatch):
+    vpr_bench(*BOARD, run_folder("hog").name)
+    theirs = RESULTS.read_bytes()
+    shutil.rmtree("leaderboards")
+
+    @contextmanager
+    def held_after_them(lock, waiting):
+        RESULTS.parent.mkdir()
+        RESULTS.write_bytes(theirs)
+        yield
+
+    monkeypatch.setattr(renewal, "held", held_after_them)
+    done = vpr_bench(*BOARD, run_folder("random").name, "--format", "json")
+    assert [row["method"][:3] for row in json.loads(done.out)] == ["hog", "ran"]
 
 
 def test_the_page_is_made_beside_the_tables_and_is_no_part_of_the_check(vpr_bench, runs):

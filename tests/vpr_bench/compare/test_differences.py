@@ -1,9 +1,7 @@
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
-from vpr_bench.compare.differences import differences, two_sided_p_value
+from vpr_bench.compare.differences import differences
 from vpr_bench.compare.pair import RunPair
 from vpr_bench.errors import UsageError
 from vpr_bench.metrics.bootstrap import bootstrap_difference
@@ -56,22 +54,3 @@ def test_every_pair_is_a_decision_where_all_scores_were_kept(stored):
 def test_a_metric_that_does_not_exist(pair_of_runs):
     with pytest.raises(UsageError, match="no metric"):
         differences(RunPair.of(*pair_of_runs), ["pr_auck"])
-
-
-@given(st.lists(st.one_of(st.floats(-1, 1), st.just(float("nan"))), max_size=50))
-def test_a_p_value_is_a_chance_whichever_way_round(values):
-    samples = np.array(values)
-    p_value = two_sided_p_value(samples)
-    if np.isnan(samples).all():
-        assert np.isnan(p_value)
-    else:
-        assert 0 < p_value <= 1
-        assert p_value == two_sided_p_value(-samples)
-
-
-def test_the_p_value_agrees_with_the_interval():
-    # 0 is the k-th of 999 differences: the interval leaves it out at 95 % if at most 24 lie on its other side.
-    for beyond, significant in ((20, True), (30, False)):
-        samples = np.linspace(-beyond, 999 - beyond, 999) + 0.5
-        low = np.quantile(samples, 0.025)
-        assert (low > 0) == significant == (two_sided_p_value(samples) < 0.05)

@@ -42,4 +42,17 @@ def test_csv_has_a_line_for_each(comparison):
     assert float(lines[0]["b_minus_a"]) == -0.25 and lines[1]["a"] == ""
     assert float(lines[4]["a"]) == 30 and lines[4]["b_over_a"] == "1.0"
     assert lines[5]["file"] == 'a "comma", \n and more' and lines[5]["b_reference"] == ""
+    assert lines[3]["name"] == "encode" and lines[3]["low"] == "1.0"
     assert {line["protocol"] for line in lines} == {"gardens/day_left-night_right@0f"}
+
+
+def test_no_text_in_csv_is_a_formula(stored):
+    seconds = {"decode": 0.5, '=HYPERLINK("http://x")': 0.02, "total": 0.03}
+    found = compare_runs(
+        stored(seconds=seconds), stored(seconds=seconds, label="sad", first=[0] * 8), ["recall@1"], resamples=20
+    )
+    text = to_csv(found, lambda query: "@SUM(1)")
+    lines = list(csv.DictReader(io.StringIO(text)))
+    assert '\'=HYPERLINK("http://x")' in {line["name"] for line in lines}
+    assert {line["file"] for line in lines if line["part"] == "lost"} == {"'@SUM(1)"}
+    assert lines[0]["b_minus_a"].startswith("-")

@@ -43,12 +43,19 @@ def test_positions_in_metres(stored):
     assert [one.truth for one in flipped_queries(RunPair.of(*runs))[1]] == [0, 1, 2, 3, 4, 5]
 
 
-def test_where_places_have_no_distance_the_first_true_one(stored):
+def test_where_places_have_no_labels_the_first_true_one(stored):
     truth = GroundTruth.from_lists([[3, 5]] + [[0]] * 7, n_references=8)
     labels = Places(given=truth).arrays()
     runs = [stored(first=first, labels=labels, protocol=GIVEN) for first in ([5] + [0] * 7, [0] * 8)]
     lost, gained = flipped_queries(RunPair.of(*runs))
     assert [(one.query, one.truth) for one in lost] == [(0, 3)] and gained == []
+
+
+def test_a_list_with_labels_has_a_nearest_true_place(stored):
+    truth = GroundTruth.from_lists([[3, 5]] + [[0]] * 7, n_references=8)
+    labels = Places(np.full(8, 4.5), np.arange(8.0), truth).arrays()
+    runs = [stored(first=first, labels=labels, protocol=GIVEN) for first in ([5] + [0] * 7, [0] * 8)]
+    assert [one.truth for one in flipped_queries(RunPair.of(*runs))[0]] == [5]
 
 
 def test_soft_matches_are_passed_over(stored):

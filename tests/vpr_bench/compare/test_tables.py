@@ -44,7 +44,7 @@ def test_names_with_markup_are_text(stored):
         Console(file=out, width=150).print(grid.rich())
     text = out.getvalue()
     assert "[red]x" in text and "\x1b[2J" not in text and "[bold]3" in text
-    assert r"<b>\|y" in grids[0].markdown()
+    assert "&lt;b&gt;&#124;y" in grids[0].markdown()
 
 
 def test_a_long_list_says_how_many_more(stored, monkeypatch):

@@ -2,9 +2,10 @@ import json
 
 import numpy as np
 import pytest
+from filelock import FileLock, Timeout
 
 from vpr_bench.errors import DamagedError, DataError
-from vpr_bench.gate.baseline import Baseline, read_baseline, write_baseline
+from vpr_bench.gate.baseline import Baseline, being_updated, read_baseline, write_baseline
 from vpr_bench.gate.recording import record_cell
 from vpr_bench.gate.rules import Rule, Rules
 
@@ -151,3 +152,13 @@ def test_a_folder_in_its_place(tmp_path):
 def test_answers_come_back_as_they_were(store, made_up_answers):
     cell = record_cell(store())
     assert np.array_equal(cell.answered.best, made_up_answers()[0][:, 0])
+
+
+def test_one_process_at_a_time_updates_a_baseline(tmp_path, store):
+    path = tmp_path / "ci" / "baseline.json"
+    with being_updated(path) as fresh:
+        with pytest.raises(Timeout):
+            FileLock(tmp_path / "ci" / ".baseline.json.lock").acquire(timeout=0)
+        write_baseline(fresh.with_cells([record_cell(store())]), path)
+    with being_updated(path) as written:
+        assert len(written.cells) == 1

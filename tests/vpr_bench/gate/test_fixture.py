@@ -1,3 +1,4 @@
+import json
 import re
 import secrets
 import subprocess
@@ -81,6 +82,28 @@ def test_recording_again_keeps_the_file(pytest_run):
     before = Path("baseline.json").read_bytes()
     assert pytest_run(f"{HOG})", "--vpr-update", "--vpr-runs", "again").passed
     assert Path("baseline.json").read_bytes() == before
+
+
+def test_each_radius_and_policy_has_a_cell_of_its_own(pytest_run):
+    assert pytest_run('vpr_gate("random", "tiny")', "--vpr-update").passed
+    wider = 'vpr_gate("random", "tiny", protocol="day_left-day_right@4f")'
+    assert not pytest_run(wider).passed
+    assert pytest_run(wider, "--vpr-update").passed
+    assert pytest_run(wider).passed
+    assert pytest_run('vpr_gate("random", "tiny/day_left-day_right@4f~reject")', "--vpr-update").passed
+    reaches = [cell.protocol.partition("@")[2] for cell in read_baseline(Path("baseline.json")).cells.values()]
+    assert reaches == ["1f", "4f", "4f~reject"]
+    assert len(list(Path("runs").rglob("run.json"))) == 1
+
+
+def test_a_cell_is_run_with_its_own_threads(pytest_run):
+    assert pytest_run('vpr_gate("random", "tiny")', "--vpr-update").passed
+    path = Path("baseline.json")
+    (cell,) = read_baseline(path).cells.values()
+    path.write_text(read_baseline(path).with_cells([cell.model_copy(update={"threads": 1}).sealed()]).text())
+    assert pytest_run('vpr_gate("random", "tiny")', "--vpr-runs", "again").passed
+    (record,) = Path("again").rglob("run.json")
+    assert json.loads(record.read_text())["key"]["threads"] == 1
 
 
 @pytest.mark.parametrize(

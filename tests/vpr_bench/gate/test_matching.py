@@ -2,10 +2,11 @@ from dataclasses import dataclass
 
 import pytest
 
-from vpr_bench.gate.matching import choose, without_cell
+from vpr_bench.gate.matching import asked_for, choose, without_cell
 from vpr_bench.gate.recording import record_cell
 from vpr_bench.method.build import METHODS
 from vpr_bench.registry import Entry
+from vpr_bench.types.protocol import Protocol
 
 NEW, OLD = "2026-05-01T00:00:00+00:00", "2026-02-01T00:00:00+00:00"
 
@@ -75,3 +76,11 @@ def test_new_are_the_newest_whole_runs_that_no_cell_is_about(cell, store):
     runs = [store(seed=4), first, second, store(label="c", limit=3), store(label="a")]
     assert [run.record.label for run in without_cell([cell], runs)] == ["a", "b"]
     assert without_cell([cell], runs)[1] == second
+
+
+def test_another_radius_is_new_only_if_somebody_named_it(cell, store):
+    run = store(threads=1)
+    wider = asked_for(run, Protocol.parse("gardens/day_left-day_right@3f"))
+    assert (wider.folder, wider.record.key) == (run.folder, run.record.key)
+    assert without_cell([cell], [run, wider]) == []
+    assert without_cell([cell], [run, wider], named=True) == [wider]

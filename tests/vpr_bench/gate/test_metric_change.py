@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -48,7 +50,16 @@ def test_significance_of_the_others_is_the_paired_bootstraps(metric):
 def test_the_same_answers_never_fail(correct, metric):
     change = metric_change(metric, Rule(tolerance=0, significance=0.99), answers(correct), answers(correct))
     assert not change.faults
-    assert change.difference == 0
+    assert change.difference == 0 or np.isnan(change.before)
+
+
+@pytest.mark.parametrize(("depth", "fails"), [(20, True), (50, False), (NEVER, False)])
+def test_a_metric_that_needs_more_answers_than_were_kept_fails(depth, fails):
+    shallow = replace(right(140), depth=depth)
+    change = metric_change("recall@50", Rule(tolerance=0), shallow, shallow)
+    assert bool(change.faults) is fails
+    assert np.isnan(change.difference) == fails
+    assert all("recall@50 is undefined: it needs more answers than the 20" in fault for fault in change.faults)
 
 
 def test_undefined_now_fails_and_undefined_then_does_not():

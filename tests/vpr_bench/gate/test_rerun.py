@@ -36,7 +36,9 @@ def test_what_is_stored_is_not_run_again(recorded, tmp_path):
 
 def test_a_cell_of_another_radius_needs_no_run_of_its_own(recorded, tmp_path):
     wider = record_cell(recorded, Protocol.parse("tiny/day_left-day_right@3f"))
-    assert run_cell(wider, tmp_path / "then", Sources()).folder == recorded.folder
+    again = run_cell(wider, tmp_path / "then", Sources())
+    assert again.folder == recorded.folder
+    assert again.protocol == wider.asked
 
 
 def test_other_images_are_refused_before_anything_is_run(recorded, tmp_path):
@@ -50,10 +52,25 @@ def test_code_is_not_run_because_a_baseline_names_it(recorded, tmp_path, monkeyp
     monkeypatch.chdir(tmp_path)
     Path("bad.py").write_text("raise SystemError('was run')\nclass Bad: ...\n")
     cell = record_cell(recorded).model_copy(update={"method": "bad.py:Bad", "label": "bad.py:Bad", "parameters": {}})
-    with pytest.raises(UsageError, match="Name it with --method"):
+    with pytest.raises(UsageError, match="say where it is with --method"):
         run_cell(cell, tmp_path / "now", Sources())
     with pytest.raises(UsageError, match="was run"):
         run_cell(cell, tmp_path / "now", Sources(methods={"bad.py:Bad": "bad.py:Bad"}))
+
+
+def test_methods_inside_are_found_where_the_user_says(tiny_dataset, tmp_path, monkeypatch):
+    file = tmp_path / "methods" / "mine.py"
+    file.parent.mkdir()
+    file.write_text("from vpr_baselines.sequence.seqslam import SeqSlam\nfrom vpr_baselines.hog import Hog\n")
+    outer, inner = f"{file}:SeqSlam", f"{file}:Hog"
+    small = {f"inner.{name}": value for name, value in SMALL.items()}
+    built = build_method(outer, {"past": 3, "inner": inner, **small})
+    then = run(load_case("tiny"), built, RunStore(tmp_path / "then"), RunOptions(threads=1))
+    cell, places = record_cell(then), {"mine.py:SeqSlam": outer, "mine.py:Hog": inner}
+    assert run_cell(cell, tmp_path / "now", Sources(places)).record.key == then.record.key
+    for name in places:
+        with pytest.raises(UsageError, match="not installed"):
+            run_cell(cell, tmp_path / "now", Sources({name: places[name]}))
 
 
 def test_a_method_that_is_called_otherwise_now(recorded, tmp_path):

@@ -25,6 +25,10 @@ def subject(label="hog(cell=8)", protocol="gardens:simulated/day_left-night_righ
         ({"protocols": ["day_left-night_right"]}, True),
         ({"protocols": ["day_left-night_right@2f"]}, True),
         ({"protocols": ["day_left-night_right@5f"]}, False),
+        ({"protocols": ["day_left-night_right@2f~reject"]}, False),
+        ({"datasets": ["gardens:simulated/day_left-night_right@2f"]}, True),
+        ({"datasets": ["gardens:simulated/day_left-night_right@2f~miss"]}, False),
+        ({"datasets": ["gardens/day_left-night_right@2f"]}, False),
         ({"methods": ["hog"], "protocols": ["day_left-day_right"]}, False),
     ],
     ids=str,
@@ -44,6 +48,42 @@ def test_what_is_asked_about(selection, wanted):
 def test_a_name_that_means_nothing_is_refused(selection, said):
     with pytest.raises(UsageError, match=said):
         Selection(**selection).check([subject()])
+
+
+@pytest.mark.parametrize("name", ["day_left-night_right@", "day_left-night_right@5x", "day_left@5f"])
+def test_a_protocol_that_cannot_be_read_is_refused(name):
+    with pytest.raises(UsageError, match=r"is no protocol\. Write it like"):
+        Selection(protocols=[name])
+
+
+def test_a_run_is_asked_about_on_each_protocol_that_is_named(store):
+    def protocols(**selection):
+        run = store(protocol="gardens/day_left-day_right@2f~miss", label=f"m{len(list(tmp))}")
+        tmp.append(run)
+        return [one.record.protocol.partition("@")[2] for one in Selection(**selection).asked_of(run)]
+
+    tmp = []
+    assert protocols() == ["2f~miss"]
+    assert protocols(protocols=["day_left-day_right"]) == ["2f~miss"]
+    assert protocols(protocols=["day_left-day_right@5f"]) == ["5f~miss"]
+    assert protocols(protocols=["day_left-day_right@5f", "day_left-day_right@2f~reject"]) == ["5f~miss", "2f~reject"]
+    assert protocols(datasets=["gardens/day_left-day_right@7f"]) == ["7f"]
+    assert protocols(datasets=["gardens"], protocols=["day_left-night_right@5f"]) == []
+
+
+def test_a_method_that_is_not_installed_is_meant_inside_others_too(tmp_path):
+    (tmp_path / "mine.py").write_text("class Mine: ...")
+    around = Subject("seqslam(inner=mine.py:Mine)", "seqslam", subject().protocol, frozenset({"mine.py:Mine", "hog"}))
+    assert Selection(methods=[f"{tmp_path}/mine.py:Mine"]).wants(around)
+    assert not Selection(methods=["hog"]).wants(around)
+
+
+def test_two_methods_of_one_name_are_refused(tmp_path):
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "mine.py").write_text("class Mine: ...")
+    with pytest.raises(UsageError, match=r"are both called 'mine\.py:Mine'"):
+        Selection(methods=[f"{tmp_path}/{folder}/mine.py:Mine" for folder in ("a", "b")])
 
 
 def test_a_file_is_a_method_by_its_name_without_folders(tmp_path):

@@ -1,6 +1,8 @@
 import pytest
 
 from vpr_bench.gate import Baseline, Overrides, Rule, Rules, record_cell, updated
+from vpr_bench.gate.matching import asked_for
+from vpr_bench.types.protocol import Protocol
 
 ID = "gardens/day_left-day_right@0f made-up"
 
@@ -50,3 +52,12 @@ def test_times_are_recorded_anew_where_they_are_judged_and_moved(old, store):
     slower, other = store(total=0.9), store(total=0.031, threads=1)
     assert updated(old, [slower], Overrides(latency_ratio=1.5)).recorded == [ID]
     assert updated(old, [other], Overrides(latency_ratio=1.5)).recorded == []
+
+
+def test_a_second_radius_that_was_named_is_added(old, store):
+    wider = asked_for(store(), Protocol.parse("gardens/day_left-day_right@3f"))
+    assert updated(old, [wider]).added == []
+    update = updated(old, [wider], only=[], named=True)
+    assert update.added == ["gardens/day_left-day_right@3f made-up"]
+    assert update.baseline.cells[ID] == old.cells[ID]
+    assert updated(update.baseline, [wider], named=True).baseline == update.baseline

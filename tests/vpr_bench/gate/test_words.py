@@ -1,7 +1,7 @@
 from dataclasses import replace
 
 from vpr_bench.gate.verdict import Changed, Judgement, Verdict
-from vpr_bench.gate.words import SHOWN, advice, failure, moved
+from vpr_bench.gate.words import SHOWN, advice, failure, listed, moved
 
 
 def test_a_failure_says_what_fell_and_which_queries(failing):
@@ -33,3 +33,9 @@ def test_nothing_in_a_name_moves_the_cursor(failing, hostile):
 def test_what_can_be_done(failing):
     assert advice(failing) == ["The baseline does not hold what is new: --update records it."]
     assert advice(Judgement([failing.verdicts[2]])) == []
+
+
+def test_what_is_not_listed_is_not_written():
+    written = []
+    assert listed(range(10**6), lambda number: written.append(number) or "x").endswith("x and 999980 more")
+    assert written == list(range(SHOWN))

@@ -81,14 +81,15 @@ def make_run(tmp_path):
         order="shuffled",
         label=None,
         elsewhere=0.01,
+        k=2,
     ):
         queries = np.arange(asked)
         best = np.where(queries < right, queries, (queries + 5) % PLACES)
         arrays = {
             "matches.npz": {
                 "queries": queries,
-                "indices": np.stack([best, (best + 1) % PLACES], axis=1),
-                "scores": np.stack([1 - queries / 100, np.zeros(asked)], axis=1).astype(np.float32),
+                "indices": (best[:, None] + np.arange(k)) % PLACES,
+                "scores": (1 - queries[:, None] / 100 - np.arange(k)).astype(np.float32),
             },
             "timings.npz": {
                 "seconds.decode": np.full(asked, 0.5),
@@ -108,7 +109,7 @@ def make_run(tmp_path):
             parameters={},
             weights=None,
             seed=seed,
-            k=2,
+            k=k,
             limit=asked if asked < PLACES else None,
             threads=2,
         )

@@ -178,6 +178,21 @@ def test_writes_what_differs_and_removes_what_has_no_rows(make_entry, tmp_path):
     assert not (tmp_path / "gardens.simulated").exists()
 
 
+def test_the_overview_of_a_leaderboard_in_a_folder_below_is_no_leftover(make_entry, tmp_path):
+    write_tables(tmp_path / "boards", made(make_entry()))
+    before = {path: path.read_bytes() for path in (tmp_path / "boards").rglob("*.md")}
+    files = made(make_entry())
+    write_tables(tmp_path, files)
+    assert {path: path.read_bytes() for path in (tmp_path / "boards").rglob("*.md")} == before
+    assert stale_tables(tmp_path, files) == []
+
+
+def test_a_table_with_a_long_name_is_removed_as_well(make_entry, tmp_path):
+    write_tables(tmp_path, made(make_entry(protocol=f"a/{'b' * 200}-c@1f")))
+    write_tables(tmp_path, made(make_entry()))
+    assert not (tmp_path / "a").exists()
+
+
 def test_files_of_others_are_neither_removed_nor_written_over(make_entry, tmp_path):
     (tmp_path / "notes").mkdir()
     note = tmp_path / "notes" / "mine.md"

@@ -45,18 +45,53 @@ def test_another_machine_has_a_row_of_its_own(make_run):
     assert len(second.entries) == 2
 
 
-def test_what_is_there_already_is_not_computed_again(make_run, monkeypatch):
+@pytest.mark.parametrize("newer_is_larger", [False, True])
+def test_a_run_that_kept_more_answers_comes_first_whenever_it_was_made(make_run, newer_is_larger):
+    larger = make_run(right=8, k=5, **({"created": LATER} if newer_is_larger else {}))
+    smaller = make_run(right=3, k=2, **({} if newer_is_larger else {"created": LATER}))
+    for order in ([larger, smaller], [smaller, larger]):
+        assert [entry.k for entry in merge([], order).entries] == [5]
+    entries = merge([], [larger]).entries
+    assert merge(entries, [smaller]).entries == entries
+    replaced = merge(merge([], [smaller]).entries, [larger]).entries
+    assert [entry.metrics["recall@5"].value for entry in replaced] == [entries[0].metrics["recall@5"].value]
+
+
+def test_all_queries_come_before_many_answers(make_run):
+    assert [entry.k for entry in merge([], [make_run(k=2), make_run(k=5, asked=4)]).entries] == [2]
+
+
+@pytest.fixture
+def collected(monkeypatch):
+    """Return the labels of the runs that have been scored."""
+    labels = []
+    collect = merge_module.collect
+    monkeypatch.setattr(merge_module, "collect", lambda run, *on: labels.append(run.record.label) or collect(run, *on))
+    return labels
+
+
+def test_what_is_there_already_is_not_computed_again(make_run, collected):
     runs = [make_run("hog"), make_run("sift")]
     entries = merge([], runs).entries
-    collected = []
-    collect = merge_module.collect
-    monkeypatch.setattr(
-        merge_module, "collect", lambda run, *on: collected.append(run.record.label) or collect(run, *on)
-    )
+    collected.clear()
     assert merge(entries, runs).entries == entries
     assert collected == []
     merge(entries, [*runs, make_run("random")])
     assert collected == ["random"]
+
+
+def test_a_partial_run_is_not_computed_where_another_machine_has_a_complete_one(make_run, collected):
+    runs = [make_run(), make_run(asked=4, processor="Another", created=LATER)]
+    entries = merge([], runs).entries
+    assert merge(entries, runs).entries == entries
+    assert collected == ["hog"]
+
+
+def test_a_protocol_that_the_places_do_not_serve_is_not_computed(make_run, collected):
+    # The ten places by hand lie within nine metres.
+    run = make_run(protocol="berlin-a100:simulated/a100_2-a100_1@5nearest")
+    assert [entry.protocol.reach for entry in merge([], [run]).entries] == ["5nearest"]
+    assert collected == ["hog"]
 
 
 def test_a_partial_run_gives_way_to_a_complete_one(make_run):
@@ -88,6 +123,14 @@ def test_a_run_that_cannot_be_scored_is_left_out_if_somebody_listens(make_run, d
     merged = merge([], [damaged, make_run()], told.append)
     assert methods(merged.entries) == ["hog"]
     assert [str(damaged.folder) in str(error) for error in told] == [True]
+
+
+def test_and_told_once_however_many_protocols_it_serves(make_run):
+    run = make_run(protocol="gardens/day_left-night_right@0f")
+    (run.folder / "labels.npz").write_bytes(b"nothing")
+    told = []
+    assert merge([], [run], told.append).entries == []
+    assert len(told) == 1
 
 
 def test_and_refused_if_nobody_does(make_run, damaged):

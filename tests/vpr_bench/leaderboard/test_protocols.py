@@ -1,7 +1,10 @@
 import pytest
 
 from vpr_bench.leaderboard.merge import merge
-from vpr_bench.leaderboard.protocols import protocols_of
+from vpr_bench.leaderboard.protocols import protocols_of, serves
+from vpr_bench.types.ground_truth import GroundTruth
+from vpr_bench.types.places import Places
+from vpr_bench.types.protocol import Protocol
 
 
 def test_a_run_serves_every_reach_that_its_dataset_lists(make_run):
@@ -18,8 +21,16 @@ def test_without_the_card_a_run_has_the_protocol_it_was_asked_for(make_run, prot
     assert [str(one) for one in protocols_of(make_run(protocol=protocol))] == [protocol]
 
 
-def test_what_the_places_do_not_say_is_passed_over(make_run):
+def test_a_run_does_not_serve_what_its_places_do_not_say(make_run):
     run = make_run(protocol="berlin-a100:simulated/a100_2-a100_1@5nearest")
-    assert [protocol.reach for protocol in protocols_of(run)] == ["5nearest", "25m"]
     # The ten places by hand lie within nine metres.
-    assert [entry.protocol.reach for entry in merge([], [run]).entries] == ["5nearest"]
+    assert {one.reach: serves(run, one) for one in protocols_of(run)} == {"5nearest": True, "25m": False}
+
+
+def test_a_listed_ground_truth_is_served_only_where_it_was_stored(make_run):
+    run = make_run(protocol="streets/day-night@0f")
+    given = Protocol.parse("streets/day-night@given")
+    assert not serves(run, given)
+    run.__dict__["places"] = Places(given=GroundTruth.from_pairs([0], [0], 10, 10))
+    assert serves(run, given)
+    assert not serves(run, run.protocol)

@@ -63,6 +63,12 @@ def test_a_method_takes_one_rank_on_all_machines_by_its_newest_row(make_entry):
     assert [one.entry.machine for one in board.standings if one.entry.method == "a"] == ["00000002", "00000001"]
 
 
+def test_of_two_machines_the_newest_row_decides_however_many_answers_it_kept(make_entry):
+    newest = make_entry("a", 6, machine="00000002", created="2026-05-05T00:00:00+00:00", k=1)
+    (board,) = boards([make_entry("a", 9, machine="00000001", k=20), newest, make_entry("b", 8)])
+    assert ranks(board) == [(1, "b"), (2, "a"), (2, "a")]
+
+
 def test_partial_rows_and_those_without_recall_come_last_without_a_rank(make_entry):
     (board,) = boards([make_entry("p", 9, partial=True), make_entry("b", 2)])
     assert ranks(board) == [(1, "b"), (None, "p")]

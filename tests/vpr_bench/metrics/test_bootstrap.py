@@ -8,7 +8,15 @@ from hypothesis import strategies as st
 from vpr_bench.errors import UsageError
 from vpr_bench.metrics import bootstrap as module
 from vpr_bench.metrics.answers import NEVER, Answers
-from vpr_bench.metrics.bootstrap import Interval, bootstrap, bootstrap_difference, percentile_interval, resampled
+from vpr_bench.metrics.bootstrap import (
+    Difference,
+    Interval,
+    bootstrap,
+    bootstrap_difference,
+    percentile_interval,
+    resampled,
+    two_sided_p_value,
+)
 from vpr_bench.metrics.definitions import METRICS, compute
 
 
@@ -118,7 +126,7 @@ def test_the_paired_interval_is_narrower_than_the_unpaired_spread(make):
 
 def test_a_run_does_not_differ_from_itself(make):
     answers = make(flips(30, 0.5, 0), np.arange(30))
-    assert bootstrap_difference(answers, answers, ["pr_auc"], 20)["pr_auc"] == Interval(0, 0, 0)
+    assert bootstrap_difference(answers, answers, ["pr_auc"], 20)["pr_auc"] == Difference(0, 0, 0, p_value=1)
 
 
 @settings(max_examples=25)
@@ -130,7 +138,7 @@ def test_swapping_the_runs_negates_the_difference(data, any_answers):
     second = dataclasses.replace(first, correct=right, rank=np.where(right, 0, NEVER))
     there, back = (bootstrap_difference(*pair, METRICS, 20) for pair in ((first, second), (second, first)))
     for name in METRICS:
-        turned = Interval(-back[name].value, -back[name].high, -back[name].low)
+        turned = Difference(-back[name].value, -back[name].high, -back[name].low, back[name].p_value)
         assert dataclasses.astuple(there[name]) == pytest.approx(dataclasses.astuple(turned), nan_ok=True, abs=1e-12)
 
 
@@ -149,3 +157,32 @@ def test_impossible_settings_are_refused(make):
         bootstrap(answers, ["pr_auc"], resamples=1, confidence=95)
     with pytest.raises(UsageError, match="no metric"):
         bootstrap(answers, ["pr_auck"])
+
+
+@given(st.lists(st.one_of(st.floats(-1, 1), st.just(float("nan"))), max_size=50))
+def test_a_p_value_is_a_chance_whichever_way_round(values):
+    samples = np.array(values)
+    p_value = two_sided_p_value(samples)
+    if np.isnan(samples).all():
+        assert np.isnan(p_value)
+    else:
+        assert 0 < p_value <= 1
+        assert p_value == two_sided_p_value(-samples)
+
+
+@given(
+    st.integers(39, 300), st.integers(0, 20), st.integers(0, 5), st.sampled_from([0.9, 0.95, 0.99]), st.integers(-1, 1)
+)
+def test_the_interval_leaves_out_nothing_just_where_p_is_at_most_the_level(above, below, ties, confidence, sign):
+    samples = sign * np.repeat([0.005, 0.0, -0.005], [above, ties, below])
+    interval = percentile_interval(0.0, samples, confidence)
+    finest = 2 / (len(samples) + 1) <= 1 - confidence + 1e-9  # fewer resamples than that cannot say anything
+    if finest:
+        assert (interval.low > 0 or interval.high < 0) == (two_sided_p_value(samples) <= 1 - confidence + 1e-9)
+
+
+def test_the_bounds_of_an_interval_are_resampled_values():
+    samples = np.repeat([0.0, 0.005], [50, 1950])
+    assert percentile_interval(0.005, samples) == Interval(0.005, 0.0, 0.005)
+    assert percentile_interval(0.0, np.arange(1.0, 1000), 0.9) == Interval(0.0, 50.0, 950.0)
+    assert percentile_interval(0.0, np.array([2.0, np.nan, 1.0])) == Interval(0.0, 1.0, 2.0)

@@ -58,6 +58,22 @@ def test_pictures_shrink_until_the_page_is_small_enough(made, page_file, tmp_pat
     assert all("pictures" in line for line in said)
 
 
+def test_a_file_of_somebody_else_is_not_written_over(made, tmp_path):
+    file = tmp_path / "index.html"
+    file.write_text("<!doctype html><title>mine</title>")
+    with pytest.raises(DataError, match="was not made by `vpr-bench leaderboard`"):
+        write_page(made.boards, {}, file, pytest.fail)
+    assert file.read_text() == "<!doctype html><title>mine</title>"
+
+
+def test_a_page_is_written_over_a_page(made, tmp_path):
+    file = tmp_path / "index.html"
+    write_page(made.boards, {}, file, pytest.fail)
+    before = file.stat().st_ino
+    write_page(made.boards, {}, file, pytest.fail)
+    assert file.stat().st_ino != before
+
+
 def test_a_disk_that_refuses_is_reported_and_nothing_is_left(made, tmp_path):
     with pytest.raises(DataError):
         write_page(made.boards, {}, tmp_path / "missing" / "index.html", pytest.fail)

@@ -59,6 +59,13 @@ def test_it_says_what_was_asked(made):
     assert night.dataset == "Tiny"
 
 
+def test_it_says_what_becomes_of_queries_without_a_match_where_that_matters(made):
+    day, night, _ = sections(made)[0]
+    assert night.protocol.unmatched == "miss"
+    assert night.facts[-1] == "Queries whose place the map does not show count as not found."
+    assert not [fact for fact in day.facts if "does not show" in fact]
+
+
 def test_without_runs_there_are_tables_and_times_only(made):
     found, album = sections(made, runs={})
     assert [chart.id for chart in found[0].charts] == ["latency"]

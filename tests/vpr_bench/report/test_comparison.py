@@ -29,8 +29,8 @@ def test_one_line_per_variant_with_its_times_and_its_ratio_to_the_first(compare)
     assert grid.title == "d/a-b  7 images × 3 rounds, 12 references"
     assert grid.head == ["variant", "encode\nms", "match\nms", "total\nms", "ratio"]
     assert grid.rows == [
-        ["fast", "10.00\n10.00", "", "10.00\n10.00", "1"],
-        ["slow", "10.00\n10.00", "2.00\n2.00", "12.50\n12.50", "1.250\n1.250–1.250"],
+        ["fast", "10.0\n10.0", "", "10.0\n10.0", "1"],
+        ["slow", "10.0\n10.0", "2.00\n2.00", "12.5\n12.5", "1.250\n1.250–1.250"],
     ]
     assert "threads: 2" in grid.note
 

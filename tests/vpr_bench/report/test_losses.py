@@ -76,7 +76,7 @@ def test_for_programs(narrowed, stored):
 
 def test_markdown(narrowed, stored):
     text = to_markdown([score_run(narrowed(label="a|b")), score_run(stored(folder="other"))])
-    assert "| a\\|b | run | gardens/day_left-night_right@0f | 0.500 |" in text
+    assert "| a&#124;b | run | gardens/day_left-night_right@0f | 0.500 |" in text
     assert "| coarse | 2.0 | 0.750 | 0.250 |" in text
     assert text.count("where the right place was lost") == 1
 

@@ -48,6 +48,22 @@ def test_what_is_not_here_has_a_number_and_one_warning(run, tiny_dataset):
     assert len(said) == 1 and "cannot be shown" in said[0]
 
 
+def test_nothing_is_rendered_for_names_alone(run, tiny_dataset):
+    said = []
+    simulated = run("tiny:simulated/day_left-day_right@1f")
+    pictures = RunPictures(simulated, said.append, render=False)
+    assert pictures.query_name(3) == "query 3" and tiny_dataset.rendered == []
+    assert len(said) == 1 and "have not been rendered on this machine" in said[0]
+    digest = load_case("tiny:simulated", "day_left-day_right").digest
+    rendered = run("tiny:simulated/day_left-day_right@1f", dataset_digest=digest)
+    assert RunPictures(rendered, said.append, render=False).query_name(3) == "day_right/Image003.jpg"
+
+
+def test_the_policy_of_a_run_is_kept(run):
+    pictures = RunPictures(run("tiny/day_left-day_right@1f~reject"), print, "tiny")
+    assert pictures.case is not None and pictures.case.protocol.unmatched == "reject"
+
+
 def test_other_images_are_not_taken_for_those_of_the_run(run):
     said = []
     pictures = RunPictures(run(dataset_digest="sha256:" + "0" * 64), said.append)

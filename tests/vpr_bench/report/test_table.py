@@ -5,8 +5,10 @@ import json
 from rich.console import Console
 
 from vpr_bench.dataset.card import find_card
+from vpr_bench.report.markdown import to_markdown
+from vpr_bench.report.published import published_for
 from vpr_bench.report.rows import score_run
-from vpr_bench.report.table import published_for, render_tables, to_csv, to_json
+from vpr_bench.report.table import render_tables, to_csv, to_json
 from vpr_bench.types.protocol import Protocol
 
 
@@ -67,6 +69,15 @@ def test_csv_has_one_column_per_number(stored):
     assert float(lines[0]["recall@1_low"]) < 0.5
     assert lines[1]["recall@1"] == ""
     assert float(lines[0]["latency_total_p50"]) == 30.0
+
+
+def test_foreign_labels_are_no_formulas_and_no_markup(stored):
+    row = score_run(stored(label='=HYPERLINK("http://x") <b>|[a](b)'))
+    line = next(csv.DictReader(io.StringIO(to_csv([row]))))
+    assert line["method"].startswith("'=") and line["recall@1"] == "0.5"
+    table = to_markdown([row])
+    assert "<b>" not in table and "[a](" not in table and "recall@1" in table
+    assert len({text.count("|") for text in table.splitlines()}) == 1
 
 
 def test_fits_a_narrow_window(stored):

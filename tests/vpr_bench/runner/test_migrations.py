@@ -8,10 +8,11 @@ from pathlib import Path
 import pytest
 
 from vpr_bench.errors import DamagedError, DataError
+from vpr_bench.files.migrations import migrated
 from vpr_bench.metrics.definitions import METRICS
 from vpr_bench.report.rows import score_run
 from vpr_bench.runner.agreement import agreement
-from vpr_bench.runner.migrations import SCHEMA_VERSION, migrated
+from vpr_bench.runner.migrations import SCHEMA_VERSION, STEPS
 from vpr_bench.runner.provenance import Provenance
 from vpr_bench.runner.record import RunRecord
 from vpr_bench.runner.select import select_run
@@ -71,7 +72,7 @@ def test_nothing_on_disk_is_changed(folder):
 def test_what_is_given_is_not_changed(folder):
     content = content_of(folder)
     before = copy.deepcopy(content)
-    assert migrated(content)["schema_version"] == SCHEMA_VERSION
+    assert migrated(content, STEPS, SCHEMA_VERSION)["schema_version"] == SCHEMA_VERSION
     assert content == before
 
 
@@ -126,3 +127,10 @@ def test_a_record_nested_too_deeply_is_damaged(old):
     (old / "run.json").write_text('{"schema_version": 2, "key": ' + "[" * 200_000)
     with pytest.raises(DamagedError, match="is damaged"):
         StoredRun.open(old)
+
+
+def test_a_key_that_is_not_the_one_of_its_folder_was_edited(old):
+    spoil(old, lambda content: content["key"].update(seed=7))
+    assert StoredRun.open(old).record.key.seed == 7  # a folder of any other name says nothing
+    with pytest.raises(DamagedError, match="was edited: the hash of its key is"):
+        StoredRun.open(old.rename(old.with_name("83288172c0ed")))

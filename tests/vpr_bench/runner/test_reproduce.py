@@ -82,11 +82,12 @@ def beside(mine, name):
 
 
 def edit(stored, change):
-    """Change a run.json, as somebody might."""
+    """Change a run.json, as somebody might, in a folder whose name does not give it away."""
     content = json.loads((stored.folder / "run.json").read_text())
     change(content)
-    (stored.folder / "run.json").write_text(json.dumps(content))
-    return StoredRun.open(stored.folder)
+    folder = stored.folder.rename(stored.folder.with_name("mine"))
+    (folder / "run.json").write_text(json.dumps(content))
+    return StoredRun.open(folder)
 
 
 def test_a_run_is_done_again_and_is_the_same(hog, again):
@@ -239,6 +240,10 @@ def test_an_own_folder_has_to_be_named(tiny_dataset, tmp_path, store, again):
         (lambda content: content["key"]["parameters"].pop("cell"), "parameter cell .* recorded was none, found is 16"),
         (lambda content: content["key"].update(k=500), "k must lie between"),
         (lambda content: content.update(timeout=-1), "time-out must be positive"),
+        (lambda content: content["key"].update(threads=0), "threads must lie between 1 and"),
+        (lambda content: content["key"].update(threads=-1), "threads must lie between 1 and"),
+        (lambda content: content["key"].update(threads=10**9), "threads must lie between 1 and"),
+        (lambda content: content["key"].update(parameters={"inner": {"method": "hog", "parameters": 3}}), "inner"),
         (lambda content: content.update(protocol="other/a-b@1f"), "There is no dataset 'other'"),
     ],
 )

@@ -57,6 +57,21 @@ def test_one_set_of_places_serves_every_unit():
     assert found["given"] is listed
 
 
+@given(columns=st.integers(1, 3), data=st.data())
+def test_the_nearest_of_some_references_is_one_that_no_other_is_nearer_than(columns, data):
+    places = Places(data.draw(labels(columns)), data.draw(labels(columns)))
+    some = np.unique(data.draw(st.lists(st.integers(0, len(places.references) - 1), min_size=1)))
+    away = np.sqrt(((places.references[some] - places.queries[0]) ** 2).sum(axis=1))
+    assert places.distances(0, some) == pytest.approx(away)
+    assert places.nearest_of(0, some) == some[places.distances(0, some).argmin()]
+
+
+def test_without_labels_the_first_reference_is_the_nearest():
+    assert Places().nearest_of(0, np.array([5, 2])) == 5
+    with pytest.raises(UsageError, match="no distance"):
+        Places().distances(0, np.array([5, 2]))
+
+
 def test_a_protocol_that_the_places_cannot_serve_is_refused():
     with pytest.raises(UsageError, match="lists no ground truth for a-b"):
         Places(np.zeros(1), np.zeros(1)).ground_truth(protocol("given"))
