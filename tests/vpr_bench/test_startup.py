@@ -35,11 +35,20 @@ def heavy_after(code, *arguments):
         ["weights", "list"],
         ["fit", "--help"],
         ["locate", "--help"],
+        ["leaderboard", "--help"],
+        ["compare", "--help"],
+        ["gate", "--help"],
+        ["reproduce", "--help"],
     ],
     ids=" ".join,
 )
 def test_commands_that_only_name_things_import_nothing_heavy(arguments):
     assert heavy_after(COMMAND, *arguments) == []
+
+
+def test_the_pytest_plug_in_imports_nothing_heavy():
+    """Every pytest session of an environment with vpr-bench loads it."""
+    assert heavy_after("import vpr_bench.gate.fixture") == []
 
 
 def test_a_map_is_asked_without_what_only_fitting_and_drawing_need(tiny_images, tmp_path):

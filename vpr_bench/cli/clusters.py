@@ -140,12 +140,10 @@ def _range(text: str) -> list[str]:
 
 def _check_picture(file: Path | None, *, of_study: bool) -> None:
     """Refuse a picture that cannot be drawn before anything is computed."""
-    from vpr_bench.report.figure import check_format
+    from vpr_bench.report.figure import FORMATS, check_picture
 
-    if file is not None and of_study:
-        check_format(file)
-    elif file is not None and file.suffix.lower() != ".png":
-        raise UsageError(f"The picture is a PNG: --plot must end in .png. Got {str(file)!r} instead.")
+    if file is not None:
+        check_picture(file, FORMATS if of_study else ["png"])
 
 
 def _show_report(report: "ClusterReport", references: "Traverse", form: Format, plot: Path | None) -> None:

@@ -9,7 +9,6 @@ from vpr_bench.cli.bars import progress_bars
 from vpr_bench.cli.console import say, show, write
 from vpr_bench.cli.options import RUNS, Format, FormatOption, MetricOption, OutputOption, UnmatchedOption
 from vpr_bench.cli.results import check_metrics
-from vpr_bench.errors import UsageError
 
 if TYPE_CHECKING:
     from vpr_bench.compare.paired import PairedComparison
@@ -25,6 +24,7 @@ vpr-bench compare before/run after/run --format json
 """
 
 _RUN = "a run's folder, or the first digits of its hash."
+_LEAST = 100  # resamples: of fewer, a 95 % interval says nothing
 
 
 def compare(
@@ -35,7 +35,7 @@ def compare(
         float | None, typer.Option(help="Radius instead of the one that both were run with.", metavar="R")
     ] = None,
     unmatched: UnmatchedOption = None,
-    resamples: Annotated[int, typer.Option(min=1, help="Of the bootstrap over queries.", metavar="N")] = 2000,
+    resamples: Annotated[int, typer.Option(min=_LEAST, help="Of the bootstrap over queries.", metavar="N")] = 2000,
     seed: Annotated[int, typer.Option(min=0, help="Of the bootstrap.")] = 0,
     plot: Annotated[
         Path | None,
@@ -53,11 +53,12 @@ def compare(
     Differences are B minus A, ratios of times B over A. Intervals are of a paired bootstrap.
     """
     from vpr_bench.compare.paired import compare_runs
+    from vpr_bench.report.figure import check_picture
     from vpr_bench.report.pictures import RunPictures
     from vpr_bench.runner.select import select_run
 
-    if plot is not None and plot.suffix.lower() != ".png":
-        raise UsageError(f"The picture is a PNG: --plot must end in .png. Got {str(plot)!r} instead.")
+    if plot is not None:
+        check_picture(plot, ["png"])
     metrics = check_metrics(metric, ()) or None
     first, second = select_run(a, output), select_run(b, output)
     with progress_bars():

@@ -8,7 +8,6 @@ import typer
 from vpr_bench.cli.bars import progress_bars
 from vpr_bench.cli.console import say, write
 from vpr_bench.cli.options import EditionOption
-from vpr_bench.errors import UsageError
 
 if TYPE_CHECKING:
     from vpr_bench.types.protocol import Protocol
@@ -41,9 +40,10 @@ def preview(
     """Draw queries with their true matches, to see whether the ground truth is right; print the picture's path."""
     from vpr_bench.dataset.load import load_case
     from vpr_bench.report.contact_sheet import draw_contact_sheet
+    from vpr_bench.report.figure import check_picture
 
-    if output is not None and output.suffix.lower() != ".png":
-        raise UsageError(f"The picture is a PNG: --output must end in .png. Got {str(output)!r} instead.")
+    if output is not None:
+        check_picture(output, ["png"])
     with progress_bars():
         case = load_case(dataset, protocol, edition, radius)
         if case.protocol.simulated:

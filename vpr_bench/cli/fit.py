@@ -171,9 +171,9 @@ def _fit(
 
 def _check_preview(built: "BuiltMethod", file: Path) -> None:
     from vpr_bench.method.interfaces import Augmenting
+    from vpr_bench.report.figure import check_picture
 
-    if file.suffix.lower() != ".png":
-        raise UsageError(f"The picture is a PNG: --preview must end in .png. Got {str(file)!r} instead.")
+    check_picture(file, ["png"])
     if not isinstance(built.method, Augmenting):
         raise UsageError(f"The method {built.id!r} learns from no changed copies that could be drawn (augmented()).")
 

@@ -11,7 +11,7 @@ from vpr_bench.cli.bars import progress_bars
 from vpr_bench.cli.console import say, show, write
 from vpr_bench.cli.options import RUNS, Format, FormatOption
 from vpr_bench.cli.stored import RunArgument
-from vpr_bench.errors import DataError, VprBenchError, one_line
+from vpr_bench.errors import DataError, UsageError, VprBenchError
 
 if TYPE_CHECKING:
     from vpr_bench.leaderboard.merge import Merge
@@ -54,12 +54,13 @@ def leaderboard(
     from vpr_bench.leaderboard.renewal import claimed, renewal
     from vpr_bench.leaderboard.results import RESULTS
 
+    _check_output(output)
     stored = _stored(run, runs, optional=(output / RESULTS).exists())
     leave_out = None if run else _leave_out
     if check:
         with progress_bars():
             stale = renewal(output, stored, leave_out).stale()
-        _judge(stale, runs, output)
+        _judge(stale, run or [], runs, output)
         return
     if page:
         _check_page(output / _PAGE)
@@ -70,6 +71,16 @@ def leaderboard(
         _print(made, form)
         if page:
             _write_page(made.boards, [*stored, *(_whole_folder(runs or RUNS) if run else [])], output / _PAGE)
+
+
+def _check_output(folder: Path) -> None:
+    from vpr_bench.runner.store import RECORD
+
+    if next(folder.glob(f"*/*/*/*/{RECORD}"), None):
+        raise UsageError(
+            f"{folder} holds runs, and --output is where the tables go. Take the runs from there with --runs {folder}, "
+            "and give another --output."
+        )
 
 
 def _stored(names: list[str] | None, root: Path | None, optional: bool) -> list["StoredRun"]:
@@ -94,22 +105,24 @@ def _leave_out(error: VprBenchError) -> None:
     say(f"warning: {error} It is left out.")
 
 
-def _judge(stale: Sequence[Path], runs: Path | None, output: Path) -> None:
+def _judge(stale: Sequence[Path], names: Sequence[str], runs: Path | None, output: Path) -> None:
     if not stale:
         say(f"{output} is up to date.")
         return
     for path in stale:
         say(f"not up to date: {path}")
-    command = ["vpr-bench", "leaderboard", *(["--runs", str(runs)] if runs else []), "--output", str(output)]
+    command = ["vpr-bench", "leaderboard", *names, *(["--runs", str(runs)] if runs else []), "--output", str(output)]
     files = "1 file is" if len(stale) == 1 else f"{len(stale)} files are"
     raise VprBenchError(f"{files} not what would be written now. Renew with `{shlex.join(command)}`.")
 
 
 def _tell(merged: "Merge", named: Sequence["StoredRun"], output: Path) -> None:
+    from vpr_bench.report.foreign import shortened
+
     for what, entries in (("new", merged.new), ("replaced", merged.replaced), ("dropped", merged.dropped)):
         for entry in entries:
             partial = f" ({entry.n_queries} of {entry.n_available} queries)" if entry.partial else ""
-            say(f"{what}: {one_line(entry.method)} on {entry.protocol}, machine {entry.machine}{partial}")
+            say(f"{what}: {shortened(entry.method)} on {entry.protocol}, machine {entry.machine}{partial}")
     there = {entry.run for entry in merged.entries}
     for run in named:
         if run.record.key.digest() not in there:
@@ -117,8 +130,11 @@ def _tell(merged: "Merge", named: Sequence["StoredRun"], output: Path) -> None:
                 f"passed over: {run.folder}: of its method and protocol there is a newer run, or one of all queries, "
                 "or one that kept more answers (--k)."
             )
-    rows = "1 row" if len(merged.kept) == 1 else f"{len(merged.kept)} rows"
-    say(f"kept: {rows}. Tables: {output}")
+    dropped = f", {len(merged.dropped)} dropped" if merged.dropped else ""
+    say(
+        f"{len(merged.new)} row{'s' * (len(merged.new) != 1)} new, {len(merged.replaced)} replaced, "
+        f"{len(merged.kept)} unchanged{dropped}. Tables: {output}"
+    )
 
 
 def _print(made: "Renewal", form: Format) -> None:

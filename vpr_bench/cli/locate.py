@@ -15,7 +15,7 @@ from vpr_bench.cli.console import complain, say
 from vpr_bench.cli.fit import MapArgument
 from vpr_bench.cli.options import ThreadsOption
 from vpr_bench.cli.parameters import find_here, split_assignment
-from vpr_bench.errors import DataError, UsageError, VprBenchError
+from vpr_bench.errors import DataError, VprBenchError
 
 if TYPE_CHECKING:
     from vpr_bench.maps.answer import Answer, Photo
@@ -61,10 +61,11 @@ def locate(
     from vpr_bench.cli.answers import print_answers
     from vpr_bench.cores import available_cores
     from vpr_bench.maps.map import load_map
+    from vpr_bench.report.figure import check_picture
     from vpr_bench.runner.resources import limit_threads
 
-    if picture is not None and picture.suffix.lower() != ".png":
-        raise UsageError(f"The picture is a PNG: --show must end in .png. Got {str(picture)!r} instead.")
+    if picture is not None:
+        check_picture(picture, ["png"])
     given = dict(map(split_assignment, param or []))
     failures: list[int] = []
     answers: list[Answer] = []

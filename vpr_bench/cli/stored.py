@@ -141,11 +141,11 @@ def _show_provenance(runs: list["StoredRun"], form: Format) -> None:
 
 def _check_pictures(*files: Path | None) -> None:
     """Refuse a picture that cannot be drawn before anything is computed."""
-    from vpr_bench.report.figure import check_format
+    from vpr_bench.report.figure import check_picture
 
     for file in files:
         if file is not None:
-            check_format(file)
+            check_picture(file)
 
 
 def _draw_stages(rows: list["Row"], file: Path | None) -> None:

@@ -9,6 +9,7 @@ DRIFT = (
     "`vpr-bench bench methods` times methods side by side"
 )
 
+_IDENTICAL = "identical: both gave every query the same answers, with the same scores"
 _UNADJUSTED = (
     "each metric for itself: intervals and p-values are not adjusted for there being several, and of twenty metrics "
     "without a difference one will seem to have one"
@@ -17,7 +18,7 @@ _EXTREME = "recall@100p"  # the first wrong answer decides: resampling cannot te
 
 
 def caveats(comparison: PairedComparison) -> list[str]:
-    """Say what limits the numbers about right and wrong, each in one line.
+    """Say what limits the numbers about right and wrong, or that nothing differs, each in one line.
 
     Parameters
     ----------
@@ -25,7 +26,9 @@ def caveats(comparison: PairedComparison) -> list[str]:
         Of two runs.
     """
     runs = {"A": comparison.first, "B": comparison.second}
-    found = [_UNADJUSTED] if len(comparison.metrics) > 1 else []
+    found = [_IDENTICAL] if comparison.identical else []
+    if len(comparison.metrics) > 1:
+        found.append(_UNADJUSTED)
     if any(math.isnan(one.difference.value) for one in comparison.metrics):
         found.append("–: undefined here, or needs more answers per query than were kept (--k)")
     if comparison.first.record.partial:

@@ -34,11 +34,7 @@ def to_csv(comparison: PairedComparison, file_of: FileOf) -> str:
     The values ``a`` and ``b`` of a flipped query, ``lost`` or ``gained``, are the scores of the two answers. A text
     that a spreadsheet would take for a formula has a ``'`` before it.
     """
-    same = {
-        "protocol": str(comparison.protocol),
-        "run_a": comparison.first.folder.name,
-        "run_b": comparison.second.folder.name,
-    }
+    same = {"protocol": str(comparison.protocol), **dict(zip(("run_a", "run_b"), comparison.folders, strict=True))}
     text = io.StringIO()
     writer = csv.DictWriter(text, _COLUMNS, restval="", lineterminator="\n")
     writer.writeheader()

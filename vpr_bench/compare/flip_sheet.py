@@ -7,7 +7,7 @@ import numpy as np
 
 from vpr_bench.compare.flipped import Best, FlippedQuery
 from vpr_bench.compare.paired import PairedComparison
-from vpr_bench.compare.tables import label_of
+from vpr_bench.compare.tables import label_of, names_of
 from vpr_bench.report.ink import BLUE, GREEN, GREY, INK, RED
 from vpr_bench.report.panel import Panel
 from vpr_bench.report.panel_sheet import draw_panel_sheet
@@ -43,13 +43,19 @@ def draw_flips(comparison: PairedComparison, pictures: RunPictures, file: Path) 
     """
     flipped = [*_some(comparison.lost), *_some(comparison.gained)]
     rows = [_row(one, pictures) for one in flipped]
-    title = f"A  {label_of(comparison.first)}   ·   B  {label_of(comparison.second)}"
     said = (
         f"{comparison.protocol}: right answers only by A {len(comparison.lost):,}, only by B {len(comparison.gained):,}"
     )
     if len(flipped) < len(comparison.lost) + len(comparison.gained):
         said += f"; up to {MOST} of each are shown"
-    return draw_panel_sheet(file, title, said, rows, warning="SIMULATED" if comparison.simulated else "")
+    return draw_panel_sheet(file, _title(comparison), said, rows, warning="SIMULATED" if comparison.simulated else "")
+
+
+def _title(comparison: PairedComparison) -> str:
+    labels = [label_of(run) for run in (comparison.first, comparison.second)]
+    if labels[0] == labels[1]:
+        labels = [f"{label} ({name})" for label, name in zip(labels, names_of(comparison), strict=True)]
+    return f"A  {labels[0]}   ·   B  {labels[1]}"
 
 
 def _some(flipped: Sequence[FlippedQuery]) -> list[FlippedQuery]:

@@ -4,6 +4,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from vpr_bench.compare.differences import PAIRS, MetricDifference, differences
 from vpr_bench.compare.flipped import FlippedQuery, flipped_queries
 from vpr_bench.compare.pair import RunPair
@@ -54,6 +56,21 @@ class PairedComparison:
     speed: Speed
     resamples: int
     seed: int
+
+    @property
+    def folders(self) -> tuple[str, str]:
+        """The names of the runs' folders; with the way to them where the names are the same."""
+        folders = self.first.folder, self.second.folder
+        if folders[0].name == folders[1].name:
+            return str(folders[0]), str(folders[1])
+        return folders[0].name, folders[1].name
+
+    @property
+    def identical(self) -> bool:
+        """Whether both gave every query the same answers and scores, as far down as both kept them."""
+        kept = [(run.indices, run.scores) for run in (self.first, self.second)]
+        depth = min(indices.shape[1] for indices, _ in kept)
+        return all(np.array_equal(a[:, :depth], b[:, :depth]) for a, b in zip(*kept, strict=True))
 
     @property
     def simulated(self) -> bool:

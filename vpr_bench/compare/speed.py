@@ -11,10 +11,12 @@ from vpr_bench.errors import DataError, blaming
 from vpr_bench.metrics.bootstrap import Interval
 from vpr_bench.metrics.latency import TOTAL
 from vpr_bench.metrics.ratios import paired_ratio
+from vpr_bench.report.foreign import shortened
 from vpr_bench.runner.fair_times import doubt
 from vpr_bench.runner.store import StoredRun
 
 _DECODE = "decode"  # reading the image: no part of the method
+_MACHINE = 120  # characters of its description
 _ORDER = ("encode", "match", "rerank")
 
 
@@ -93,7 +95,8 @@ def _refusal(first: StoredRun, second: StoredRun) -> str:
     machines = first.record.machine, second.record.machine
     if machines[0].fingerprint == machines[1].fingerprint:
         return ""
-    return f"A ran on {machines[0]}; B on {machines[1]}"
+    named = [shortened(str(machine), _MACHINE) for machine in machines]
+    return f"A ran on {named[0]}; B on {named[1]}"
 
 
 def _times(run: StoredRun) -> dict[str, NDArray[np.float64]]:

@@ -9,6 +9,7 @@ from vpr_bench.compare.flipped import Best, FlippedQuery
 from vpr_bench.compare.paired import PairedComparison
 from vpr_bench.compare.speed import StageRatio
 from vpr_bench.errors import one_line
+from vpr_bench.report.foreign import shortened
 from vpr_bench.report.grid import Grid
 from vpr_bench.report.numbers import UNDEFINED, milliseconds, share
 from vpr_bench.runner.store import StoredRun
@@ -35,18 +36,22 @@ def comparison_grids(comparison: PairedComparison, name_of: Callable[[int], str]
 
 
 def label_of(run: StoredRun) -> str:
-    """Return a run's method, marked where only some queries were asked."""
-    return one_line(run.record.label) + (" (partial)" if run.record.partial else "")
+    """Return a run's method, cut where it is very long, and marked where only some queries were asked."""
+    return shortened(run.record.label) + (" (partial)" if run.record.partial else "")
+
+
+def names_of(comparison: PairedComparison) -> list[str]:
+    """Return the beginnings of the runs' hashes, or their folders where those are the same."""
+    short = [run.folder.name[:6] for run in (comparison.first, comparison.second)]
+    return short if short[0] != short[1] else [one_line(name) for name in comparison.folders]
 
 
 def _runs(comparison: PairedComparison) -> Grid:
     count = f"{comparison.n_queries:,} queries"
     if comparison.n_counted != comparison.n_queries:
         count = f"{comparison.n_counted:,} of {count} count"
-    rows = [
-        [f"{name}  {label_of(run)}", run.folder.name[:6]]
-        for name, run in (("A", comparison.first), ("B", comparison.second))
-    ]
+    labels = [f"A  {label_of(comparison.first)}", f"B  {label_of(comparison.second)}"]
+    rows = list(zip(labels, names_of(comparison), strict=True))
     return Grid(_titled(comparison, f"{comparison.protocol}  {count}"), ["method", "run"], rows)
 
 
@@ -88,7 +93,7 @@ def _metric(one: MetricDifference) -> Sequence[str]:
 def _times(comparison: PairedComparison) -> Grid:
     machine = comparison.first.record.machine
     notes = [
-        f"ms: median per query, image already decoded, threads: {machine.threads}, {one_line(machine.processor)}",
+        f"ms: median per query, image already decoded, threads: {machine.threads}, {shortened(machine.processor)}",
         "B / A: median ratio per query, 95 %: bootstrap over queries, p: Wilcoxon's signed-rank test",
         *time_caveats(comparison),
     ]
@@ -101,7 +106,7 @@ def _stage(one: StageRatio) -> Sequence[str]:
     low, high = one.ratio.low, one.ratio.high
     known = not math.isnan(low)
     return [
-        one_line(one.stage),
+        shortened(one.stage, 30),
         milliseconds(one.first_ms),
         milliseconds(one.second_ms),
         share(one.ratio.value),

@@ -131,13 +131,13 @@ def load_from(card: Card, protocol: Protocol, folder: Path, *, foreign: bool = F
     queries, query_digest = load_parts(card, protocol.source, protocol.queries, folder, foreign=foreign)
     given = _load_given(card, protocol, folder)
     places = Places(queries.labels, references.labels, given)
-    places.check(protocol)
     digest = case_digest([(references, reference_digest), (queries, query_digest)], given)
     case = Case(
         protocol, references.traverse, queries.traverse, places, digest, folder, references.compass, queries.compass
     )
     if protocol.unit != "given" and places.queries is None:
         raise DataError(f"{card.id} has no place labels: write its protocols {protocol.pairing}@given.")
+    places.check(protocol)
     return case
 
 

@@ -1,6 +1,5 @@
 """The page of one protocol: its table, and what has to be known to read it."""
 
-import math
 from collections.abc import Mapping
 
 from vpr_bench.leaderboard.collect import RESAMPLES
@@ -8,9 +7,9 @@ from vpr_bench.leaderboard.markdown import link
 from vpr_bench.leaderboard.marks import NO_TIME, TIED, name_marks, name_notes
 from vpr_bench.leaderboard.standing import SIGNIFICANCE, Board, Standing
 from vpr_bench.metrics.bootstrap import Interval
-from vpr_bench.report.foreign import plain
+from vpr_bench.report.foreign import plain, shortened
 from vpr_bench.report.grid import markdown_table
-from vpr_bench.report.numbers import milliseconds, share, short_share
+from vpr_bench.report.numbers import fine_bounds, milliseconds, share
 from vpr_bench.report.published import with_sources
 from vpr_bench.runner.fair_times import BUSY
 
@@ -50,7 +49,7 @@ def _about(board: Board) -> str:
 
 def _row(one: Standing, letters: Mapping[str, str]) -> list[str]:
     entry = one.entry
-    name = plain(entry.method) + name_marks(entry)
+    name = plain(shortened(entry.method)) + name_marks(entry)
     if entry.partial:
         asked = f"partial: {entry.n_queries:,} of {entry.n_available:,} queries"
         return ["", f"{name} ({asked})", *[""] * len(_METRICS), "", "", letters[entry.machine]]
@@ -70,9 +69,8 @@ def _rank(one: Standing) -> str:
 
 
 def _value(interval: Interval) -> str:
-    if math.isnan(interval.low):
-        return share(interval.value)
-    return f"{share(interval.value)} ({short_share(interval.low)}–{short_share(interval.high)})"
+    between = fine_bounds(interval.low, interval.high)
+    return share(interval.value) + (f" ({between})" if between else "")
 
 
 def _time(one: Standing, name: str) -> str:
@@ -83,7 +81,7 @@ def _published_rows(board: Board) -> list[list[str]]:
     rows = []
     for one, source in with_sources(board.published, _METRICS, board.protocol)[0]:
         values = [f"*{one.value:.3f}*" if metric == one.metric else "" for metric in _METRICS]
-        rows.append(["", f"*{plain(one.method)}* (published, {source})", *values, "", "", ""])
+        rows.append(["", f"*{plain(shortened(one.method))}* (published, {source})", *values, "", "", ""])
     return rows
 
 

@@ -70,7 +70,8 @@ def merge(existing: Sequence[Entry], runs: Sequence[StoredRun], leave_out: Told 
     found: dict[Cell, Entry] = {}
     failed: set[Path] = set()
     guard = partial(_leaving_out, leave_out, failed)
-    for run, protocol in track(_wanted(held, runs, guard), "Scoring"):
+    wanted = _wanted(held, runs, guard)
+    for run, protocol in track(wanted, "Scoring") if wanted else ():
         with guard(run):
             if run.folder not in failed:
                 found[cell_of(run, protocol)] = collect(run, protocol)

@@ -1,14 +1,13 @@
 """The overview: which method reached which recall@1 on which protocol, and no averages."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from vpr_bench.errors import one_line
 from vpr_bench.leaderboard.machines import machine_names
 from vpr_bench.leaderboard.markdown import link
 from vpr_bench.leaderboard.marks import TIED, name_marks, name_notes
 from vpr_bench.leaderboard.standing import Board, Standing
-from vpr_bench.report.foreign import plain
+from vpr_bench.report.foreign import plain, shortened
 from vpr_bench.report.grid import Grid, markdown_table
 from vpr_bench.report.numbers import share
 
@@ -51,17 +50,18 @@ def overview_page(boards: Sequence[Board], letters: Mapping[str, str], pages: Ma
 
 def overview_grids(boards: Sequence[Board]) -> list[Grid]:
     """Lay the overview out for a terminal, a few protocols beside each other."""
-    grids = [
-        Grid(
-            f"{title}: recall@1", ["method", *map(_head, part)], _rows(part, one_line, lambda value: f"{value} {TIED}")
-        )
-        for title, same in _sections(boards)
-        for part in _parts(same)
-    ]
+    grids = [grid for title, same in _sections(boards) for grid in _grids(title, _parts(same))]
     notes = [f"`{TIED}` the best of its column, or not significantly different from it."]
     notes += name_notes([one.entry for board in boards for one in board.standings])
     note = "\n".join(notes).replace("`", "")
     return [*grids[:-1], *(replace(last, note=note) for last in grids[-1:])]
+
+
+def _grids(title: str, parts: Sequence[Sequence[Board]]) -> Iterator[Grid]:
+    for number, part in enumerate(parts, 1):
+        which = f" ({number} of {len(parts)})" if len(parts) > 1 else ""
+        rows = _rows(part, str, lambda value: f"{value} {TIED}")
+        yield Grid(f"{title}: recall@1{which}", ["method", *map(_head, part)], rows)
 
 
 def _head(board: Board) -> str:
@@ -95,7 +95,7 @@ def _rows(boards: Sequence[Board], name: Callable[[str], str], best: Callable[[s
     methods = {one.entry.method: name_marks(one.entry) for board in boards for one in board.standings}
     columns = [{one.entry.method: one for one in reversed(board.standings)} for board in boards]
     return [
-        [name(method) + methods[method], *(_cell(column.get(method), best) for column in columns)]
+        [name(shortened(method)) + methods[method], *(_cell(column.get(method), best) for column in columns)]
         for method in sorted(methods)
     ]
 

@@ -29,10 +29,8 @@ def serves(run: StoredRun, protocol: Protocol) -> bool:
         If the places cannot be read.
     """
     places = run.places
-    if protocol.unit == "given":
-        return places.given is not None
     try:
         places.check(protocol)
     except UsageError:
         return False
-    return places.queries is not None and places.references is not None
+    return True

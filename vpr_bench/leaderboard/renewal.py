@@ -38,7 +38,14 @@ class Renewal:
     tables: dict[str, str]
 
     def stale(self) -> list[Path]:
-        """Return the files that :meth:`write` would write or remove."""
+        """Return the files that :meth:`write` would write or remove.
+
+        Raises
+        ------
+        DataError
+            If a file in the way is none of ours, and :meth:`write` would write nothing.
+        """
+        check_room(self.root, self.tables)
         results = self.root / RESULTS
         rows = [] if is_written(results, self.merge.entries) else [results]
         return [*rows, *stale_tables(self.root, self.tables)]

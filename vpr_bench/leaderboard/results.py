@@ -13,6 +13,7 @@ from vpr_bench.files.disk import disk_errors
 from vpr_bench.leaderboard.columns import HEADER, SCHEMA, SCHEMA_COLUMN, as_values, digest_of, read_row, write_row
 from vpr_bench.leaderboard.entry import Cell, Entry
 from vpr_bench.metrics.undefined import or_none
+from vpr_bench.report.foreign import shortened
 from vpr_bench.types.protocol import Protocol
 
 RESULTS = "results.csv"
@@ -29,6 +30,10 @@ def read_results(path: Path) -> list[Entry]:
     DataError
         If the file is missing or holds anything that this program did not write; names the line.
     """
+    if path.is_dir():
+        raise DataError(
+            f"{path} is a folder, where the file of the rows belongs. Move it away, or give another --output."
+        )
     if not path.is_file():
         raise DataError(f"There is no {path}. `vpr-bench leaderboard` makes it from stored runs.")
     with disk_errors(path, "read"):
@@ -117,7 +122,7 @@ def _parse(text: str) -> list[Entry]:
         entry = _read_line(number, cells)
         if entry.cell in seen:
             raise DataError(
-                f"line {number}: {one_line(entry.method)} on {entry.protocol} and machine {entry.machine} stands in "
+                f"line {number}: {shortened(entry.method)} on {entry.protocol} and machine {entry.machine} stands in "
                 f"line {seen[entry.cell]} already. Delete one of the two rows."
             )
         seen[entry.cell] = number
@@ -167,7 +172,7 @@ def _read_line(number: int, cells: list[str]) -> Entry:
         raise DataError(f"line {number}: {one_line(error)}. {_RESTORE}, or delete the row.") from None
     if cells[-1] != digest_of(cells[:-1]):
         raise DataError(
-            f"line {number}: the row of {one_line(entry.method)} was changed after it was written: its digest is not "
+            f"line {number}: the row of {shortened(entry.method)} was changed after it was written: its digest is not "
             f"that of its cells. {_RESTORE}, or delete the row and collect its run again."
         )
     return entry

@@ -9,6 +9,7 @@ from vpr_bench.dataset.card import Published, find_card
 from vpr_bench.errors import DataError, VprBenchError, one_line
 from vpr_bench.leaderboard.entry import Entry, moment
 from vpr_bench.metrics.mcnemar import mcnemar
+from vpr_bench.report.foreign import shortened
 from vpr_bench.report.published import published_for
 from vpr_bench.runner.fair_times import doubt
 from vpr_bench.types.protocol import Protocol
@@ -163,7 +164,7 @@ def _check_comparable(protocol: Protocol, entries: list[Entry]) -> None:
 
 
 def _name(entry: Entry) -> str:
-    return f"{one_line(entry.method)} (run {entry.run})"
+    return f"{shortened(entry.method)} (run {entry.run})"
 
 
 def _published(protocol: Protocol) -> list[Published]:

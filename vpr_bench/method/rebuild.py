@@ -52,7 +52,9 @@ def places_of(names: Mapping[str, str]) -> dict[str, str]:
 
 
 @contextmanager
-def rebuilding(places: Mapping[str, str] | None = None, besides: Iterable[str] = ()) -> Iterator[None]:
+def rebuilding(
+    places: Mapping[str, str] | None = None, besides: Iterable[str] = (), option: str = "--method"
+) -> Iterator[None]:
     """Inside the ``with`` block, build methods by their names in results; of others than these no code is run.
 
     Parameters
@@ -61,6 +63,8 @@ def rebuilding(places: Mapping[str, str] | None = None, besides: Iterable[str] =
         As :func:`places_of` returns it.
     besides : iterable of str
         What the user names in other ways.
+    option : str
+        With which methods are named.
 
     Raises
     ------
@@ -71,4 +75,4 @@ def rebuilding(places: Mapping[str, str] | None = None, besides: Iterable[str] =
         with registered_only(besides, places):
             yield
     except UntrustedError as error:
-        raise UsageError(f"{error} If you trust it, say where it is with --method path/to/file.py:Class.") from None
+        raise UsageError(f"{error} If you trust it, say where it is with {option} path/to/file.py:Class.") from None

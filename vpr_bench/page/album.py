@@ -69,7 +69,8 @@ class Album:
         return _fitting(self._all(_SIZES[-1]), room)
 
     def _all(self, size: tuple[int, int]) -> dict[int, Embedded]:
-        found = ((number, decode()) for number, decode in enumerate(track(self._decodes, "Embedding pictures")))
+        decodes = track(self._decodes, "Embedding pictures") if self._decodes else ()
+        found = ((number, decode()) for number, decode in enumerate(decodes))
         return {number: _embedded(pixels, *size) for number, pixels in found if pixels is not None}
 
 

@@ -9,29 +9,33 @@ from vpr_bench.page.looks import displayed
 from vpr_bench.page.radii import unit_in_words
 from vpr_bench.page.scatter import Scatter
 from vpr_bench.page.shown import Shown
+from vpr_bench.report.foreign import shortened
 from vpr_bench.report.grid import Grid
-from vpr_bench.report.numbers import UNDEFINED, bounds, milliseconds, share
+from vpr_bench.report.numbers import UNDEFINED, fine_bounds, milliseconds, share
 from vpr_bench.types.protocol import Protocol
 
 
 def curve_grid(methods: Sequence[Shown]) -> Grid:
     """Lay out the precision that each method has at some recalls."""
     head = ["method", *(f"recall ≥ {level:g}" for level in LEVELS)]
-    rows = [[one.name, *map(share, one.curves.reached)] for one in methods]
+    rows = [[shortened(one.name), *map(share, one.curves.reached)] for one in methods]
     return Grid("Highest precision at which so much recall is reached", head, rows, f"{UNDEFINED}: never reached")
 
 
 def radius_grid(methods: Sequence[Shown], protocol: Protocol) -> Grid:
     """Lay out recall@1 and pr_auc against the radius."""
     head = ["method", *(f"{one.radius:g}" for one in methods[0].curves.at)]
-    rows = [[one.name, *(f"{share(at.recall_at_1)} · {share(at.pr_auc)}" for at in one.curves.at)] for one in methods]
+    rows = [
+        [shortened(one.name), *(f"{share(at.recall_at_1)} · {share(at.pr_auc)}" for at in one.curves.at)]
+        for one in methods
+    ]
     return Grid(f"recall@1 · pr_auc at each radius ({unit_in_words(protocol) or 'no radius'})", head, rows)
 
 
 def recalls_grid(methods: Sequence[Shown]) -> Grid:
     """Lay out recall@k."""
     deepest = max(len(one.curves.recalls) for one in methods)
-    rows = [[one.name, *map(share, one.curves.recalls)] for one in methods]
+    rows = [[shortened(one.name), *map(share, one.curves.recalls)] for one in methods]
     filled = [[*row, *[""] * (deepest + 1 - len(row))] for row in rows]
     return Grid("recall@k", ["method", *(str(k) for k in range(1, deepest + 1))], filled)
 
@@ -44,8 +48,8 @@ def latency_grid(scatters: Sequence[Scatter]) -> Grid:
         for standing in scatter.standings:
             entry, recall = standing.entry, standing.entry.metrics["recall@1"]
             time = milliseconds(entry.latency["latency_total_p50"])
-            numbers = [time, share(recall.value), bounds(recall.low, recall.high)]
-            rows.append([displayed(entry.method), scatter.machine, *numbers, "yes" * (standing in scatter.front)])
+            numbers = [time, share(recall.value), fine_bounds(recall.low, recall.high)]
+            rows.append([shortened(entry.method), scatter.machine, *numbers, "yes" * (standing in scatter.front)])
     return Grid("recall@1 against median latency", head, rows)
 
 
@@ -57,7 +61,7 @@ def losses_grid(methods: Sequence[Shown]) -> Grid:
     for one in noted:
         lost = {step.name: share(step.lost.value) for step in one.curves.steps}
         found = share(one.curves.steps[-1].recall.value)
-        rows.append([one.name, found, *(lost.get(step, "") for step in steps)])
+        rows.append([shortened(one.name), found, *(lost.get(step, "") for step in steps)])
     head = ["method", "found (recall@1)", *(f"lost by {one_line(step)}" for step in steps)]
     return Grid("Share of the queries", head, rows)
 

@@ -145,6 +145,7 @@ def _environment() -> "Environment":
     from markupsafe import Markup
 
     from vpr_bench.page.embedding import as_json, breakable
+    from vpr_bench.report.foreign import shortened
 
     environment = Environment(
         loader=PackageLoader("vpr_bench.page"),
@@ -153,6 +154,6 @@ def _environment() -> "Environment":
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    environment.filters |= {"json": as_json, "breakable": breakable}
+    environment.filters |= {"json": as_json, "breakable": breakable, "shortened": shortened}
     environment.filters["ours"] = Markup  # for what this package brings: its style sheet and scripts
     return environment

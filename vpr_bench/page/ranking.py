@@ -10,7 +10,7 @@ from vpr_bench.leaderboard.standing import Board, Standing
 from vpr_bench.metrics.bootstrap import Interval
 from vpr_bench.metrics.definitions import lookup
 from vpr_bench.page.looks import displayed
-from vpr_bench.report.numbers import UNDEFINED, bounds, milliseconds, share
+from vpr_bench.report.numbers import UNDEFINED, fine_bounds, milliseconds, share
 from vpr_bench.report.published import with_sources
 
 METRICS = ("recall@1", "recall@5", "recall@10", "pr_auc", "pr_auc_matched")
@@ -48,7 +48,7 @@ class Cell:
     @property
     def between(self) -> str:
         """The interval in words."""
-        return bounds(self.interval.low, self.interval.high) if self.interval else ""
+        return fine_bounds(self.interval.low, self.interval.high) if self.interval else ""
 
 
 @dataclass(frozen=True)

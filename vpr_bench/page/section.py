@@ -22,6 +22,7 @@ from vpr_bench.page.radii import distance, unit_in_words
 from vpr_bench.page.ranking import Ranking, ranking
 from vpr_bench.page.scatter import scatters
 from vpr_bench.page.shown import shown_methods
+from vpr_bench.report.foreign import shortened
 from vpr_bench.report.grid import Grid
 from vpr_bench.runner.store import StoredRun
 from vpr_bench.types.protocol import Protocol
@@ -194,7 +195,7 @@ def _missing(board: Board, shown: list[Entry]) -> str:
     what = (
         "None of the runs is here"
         if len(absent) == len(rest)
-        else f"Not here: the runs of {', '.join(map(displayed, absent))}"
+        else f"Not here: the runs of {', '.join(map(shortened, absent))}"
     )
     return f"{what}, so that there are no curves and pictures of them."
 

@@ -1,12 +1,13 @@
-"""Diagrams that come out the same each time: how they are begun and how they are written."""
+"""Pictures: where they may be written, and diagrams that come out the same each time."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from vpr_bench.errors import UsageError
 from vpr_bench.files.atomic import replacing
+from vpr_bench.files.disk import DiskError, disk_errors
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -14,16 +15,31 @@ if TYPE_CHECKING:
 FORMATS = ("png", "svg")
 
 
-def check_format(file: Path) -> None:
-    """Refuse a file name of a kind that is not drawn.
+def check_picture(file: Path, formats: Sequence[str] = FORMATS) -> None:
+    """Refuse a picture that could not be written, before anything is computed for it.
+
+    Parameters
+    ----------
+    file : Path
+        Where it is to be written.
+    formats : sequence of str
+        What it can be, by the ending of its name.
 
     Raises
     ------
     UsageError
-        If it ends in neither .png nor .svg.
+        If its name ends otherwise.
+    DataError
+        If its folder is not there, or a folder is in its place.
     """
-    if file.suffix.lower()[1:] not in FORMATS:
-        raise UsageError(f"A picture's name must end in .png or .svg. Got {str(file)!r} instead.")
+    if file.suffix.lower()[1:] not in formats:
+        endings = " or ".join(f".{kind}" for kind in formats)
+        raise UsageError(f"A picture's name must end in {endings}. Got {str(file)!r} instead.")
+    with disk_errors(file):
+        if not file.parent.is_dir():
+            raise DiskError(f"Cannot write {file}: there is no folder {file.parent}. Make it first.")
+        if file.is_dir():
+            raise DiskError(f"Cannot write {file}: it is a folder. Choose another name.")
 
 
 @contextmanager

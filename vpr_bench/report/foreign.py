@@ -31,6 +31,21 @@ def plain(text: str) -> str:
     return escape(marked, quote=False).replace("|", "&#124;") or "?"
 
 
+def shortened(text: str, most: int = 80) -> str:
+    """Write text on one line, without its middle where it is longer than ``most`` characters; ``?`` for none.
+
+    Examples
+    --------
+    >>> shortened("sad(width=64)"), shortened("a_very_long_name_indeed", most=11)
+    ('sad(width=64)', 'a_ver…ndeed')
+    """
+    text = one_line(text) or "?"
+    if len(text) <= most:
+        return text
+    tail = (most - 1) // 2
+    return f"{text[: most - 1 - tail]}…{text[len(text) - tail :]}"
+
+
 def guarded(text: str) -> str:
     r"""Write text so that no spreadsheet takes it for a formula; what is empty is told from what is missing.
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageFont
 
-from vpr_bench.errors import one_line
+from vpr_bench.report.foreign import shortened
 
 # Told apart by the colour-blind too (Okabe and Ito).
 INK, GREY, PALE, PAPER = "#1b1f24", "#6b7280", "#f3f4f6", "#ffffff"
@@ -35,19 +35,14 @@ def cut(text: str, width: float, face: ImageFont.FreeTypeFont) -> str:
     'a_very_l…0001.jpg'
     """
     # One mark is at least a pixel wide, or is a mark that is set on top of another one.
-    text = one_line(text)[:4096] or "?"
+    text = shortened(text, 4096)
     if face.getlength(text) <= width:
         return text
     low, high = 0, len(text)
     while high - low > 1:
         middle = (low + high) // 2
-        low, high = (middle, high) if face.getlength(_shortened(text, middle)) <= width else (low, middle)
-    return _shortened(text, low)
-
-
-def _shortened(text: str, kept: int) -> str:
-    tail = kept // 2
-    return f"{text[: kept - tail]}…{text[len(text) - tail :]}"
+        low, high = (middle, high) if face.getlength(shortened(text, middle + 1)) <= width else (low, middle)
+    return shortened(text, low + 1)
 
 
 def fitted_size(width: int, height: int, box: tuple[int, int]) -> tuple[int, int]:

@@ -39,6 +39,17 @@ def bounds(low: float, high: float) -> str:
     return "" if math.isnan(low) or math.isnan(high) else f"{_short(low)}–{_short(high)}"
 
 
+def fine_bounds(low: float, high: float) -> str:
+    """Write an interval as finely as the value in it; nothing if it is undefined.
+
+    Examples
+    --------
+    >>> fine_bounds(0.8611, 1.0), fine_bounds(float("nan"), float("nan"))
+    ('.861–1.00', '')
+    """
+    return "" if math.isnan(low) or math.isnan(high) else f"{short_share(low)}–{short_share(high)}"
+
+
 def milliseconds(value: float) -> str:
     """Write a time with three digits that count; of less than a nanosecond nothing is left.
 

@@ -7,7 +7,7 @@ from rich.cells import cell_len
 from rich.console import Console, ConsoleOptions, RenderResult
 from rich.table import Table
 
-_NAMES = 12  # columns of the window that names have at least; longer ones are folded
+_NAMES = 18  # columns of the window that names have at least; longer ones are folded
 _BETWEEN = 2  # padding, and the space where a line could stand
 
 

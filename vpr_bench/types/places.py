@@ -36,32 +36,33 @@ class Places:
         UsageError
             If there is nothing to say so in this unit, or every answer would be right.
         """
-        if protocol.unit == "given":
-            if self.given is None:
-                raise UsageError(f"{protocol.source} lists no ground truth for {protocol.pairing}.")
-            return self.given
-        if self.queries is None or self.references is None:
-            raise UsageError(f"{protocol.source} has no place labels: only @given says what is right.")
         self.check(protocol)
+        if protocol.unit == "given":
+            return self._listed(protocol)
+        queries, references = self._labels(protocol)
         if protocol.unit == "nearest":
-            return nearest(self.queries, self.references, int(protocol.radius))
-        return GroundTruth.from_radius(self.queries, self.references, protocol.radius)
+            return nearest(queries, references, int(protocol.radius))
+        return GroundTruth.from_radius(queries, references, protocol.radius)
 
     def check(self, protocol: Protocol) -> None:
-        """Refuse a radius that makes every answer right.
+        """Refuse a protocol in which nothing says what is right, or every answer would be.
 
         Raises
         ------
         UsageError
-            If it reaches from one end of the map to the other.
+            If what its unit needs is not there, or its radius reaches from one end of the map to the other.
         """
-        if self.references is None or protocol.unit in UNMEASURED:
+        if protocol.unit == "given":
+            self._listed(protocol)
             return
-        size = len(self.references)
+        _, references = self._labels(protocol)
+        if protocol.unit in UNMEASURED:
+            return
+        size = len(references)
         if protocol.unit == "nearest":
             extent = float(size)
         else:
-            extent = float(np.ptp(self.references, axis=0).max()) if size > 1 else float("inf")
+            extent = float(np.ptp(references, axis=0).max()) if size > 1 else float("inf")
         if protocol.radius >= extent:
             unit = "" if protocol.unit == "nearest" else protocol.unit
             raise UsageError(
@@ -131,6 +132,16 @@ class Places:
             if "soft" in arrays:
                 given = given.with_soft(_truth(arrays["soft"], arrays["size"]))
         return cls(arrays.get("queries"), arrays.get("references"), given)
+
+    def _listed(self, protocol: Protocol) -> GroundTruth:
+        if self.given is None:
+            raise UsageError(f"{protocol.source} lists no ground truth for {protocol.pairing}.")
+        return self.given
+
+    def _labels(self, protocol: Protocol) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        if self.queries is None or self.references is None:
+            raise UsageError(f"{protocol.source} has no place labels: only @given says what is right.")
+        return self.queries, self.references
 
 
 def nearest(query_labels: ArrayLike, reference_labels: ArrayLike, count: int) -> GroundTruth:

@@ -62,9 +62,9 @@ def test_swapping_the_runs_turns_the_differences_round(vpr_bench, runs):
 
 def test_metrics_radius_and_policy_are_chosen(vpr_bench, runs):
     words = ("--metric", "recall@1", "--metric", "recall@3", "--radius", "2", "--unmatched", "reject")
-    content = json.loads(vpr_bench("compare", *map(str, runs), *words, "--resamples", "50", "--format", "json").out)
+    content = json.loads(vpr_bench("compare", *map(str, runs), *words, "--resamples", "150", "--format", "json").out)
     assert list(content["metrics"]) == ["recall@1", "recall@3"]
-    assert content["protocol"] == "tiny/day_left-night_right@2f~reject" and content["resamples"] == 50
+    assert content["protocol"] == "tiny/day_left-night_right@2f~reject" and content["resamples"] == 150
 
 
 def test_csv_and_markdown(vpr_bench, runs):
@@ -97,6 +97,7 @@ def test_nothing_flipped(vpr_bench, runs):
     again = next(folder for folder in folders("hog") if folder != runs[1])
     done = vpr_bench("compare", str(runs[1]), str(again), "--plot", "flips.png")
     assert done.code == 0 and "nothing to draw" in done.err and not Path("flips.png").exists()
+    assert "the same answers" in done.out
 
 
 @pytest.mark.parametrize(
@@ -110,13 +111,15 @@ def test_nothing_flipped(vpr_bench, runs):
         (("A", "B", "--radius", "11"), 2, "reaches over the whole map"),
         (("A", "B", "--plot", "flips.svg"), 2, "must end in .png"),
         (("A", "B", "--plot", "nowhere/flips.png"), 3, "Cannot write"),
-        (("A", "B", "--resamples", "0"), 2, "resamples"),
+        (("A", "B", "--plot", "."), 2, "must end in .png"),
+        (("A", "B", "--resamples", "99"), 2, "greater than or equal to 100"),
     ],
 )
 def test_errors(vpr_bench, runs, words, code, said):
     named = {"A": str(runs[0]), "B": str(runs[1])}
     done = vpr_bench("compare", *(named.get(word, word) for word in words))
     assert done.code == code and said in done.err and "Traceback" not in done.err
+    assert not done.out  # nothing is computed first
 
 
 def test_another_protocol(vpr_bench, runs):
@@ -134,8 +137,9 @@ def test_other_queries(vpr_bench, runs):
 
 
 def test_other_images(vpr_bench, runs):
-    rewritten(runs[0], dataset_digest="sha256:" + "1" * 64)
-    done = vpr_bench("compare", *map(str, runs))
+    other = runs[0].rename("other")
+    rewritten(other, dataset_digest="sha256:" + "1" * 64)
+    done = vpr_bench("compare", str(other), str(runs[1]))
     assert done.code == 3 and "were not the same" in done.err
 
 

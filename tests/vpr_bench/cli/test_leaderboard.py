@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from vpr_bench.leaderboard import renewal
+from vpr_bench.runner.record import read_record
 
 LOCK = renewal.LOCK
 SMALL = ("--param", "width=32", "--param", "height=32", "--param", "cell=8")
@@ -55,7 +56,7 @@ def test_a_second_time_changes_nothing(vpr_bench, runs):
     vpr_bench(*BOARD)
     before = {path: path.stat().st_mtime_ns for path in everything()}
     done = vpr_bench(*BOARD)
-    assert "kept: 2 rows" in done.err
+    assert "0 rows new, 0 replaced, 2 unchanged. Tables: leaderboards" in done.err
     assert "new:" not in done.err
     assert {path: path.stat().st_mtime_ns for path in everything()} == before
 
@@ -89,7 +90,7 @@ def test_a_named_run_that_is_older_than_its_row_is_passed_over_with_a_word(vpr_b
 def test_rows_stay_when_their_runs_are_gone(vpr_bench, runs):
     vpr_bench(*BOARD)
     shutil.rmtree(run_folder("random"))
-    assert "kept: 2 rows" in vpr_bench(*BOARD).err
+    assert "2 unchanged" in vpr_bench(*BOARD).err
     shutil.rmtree("runs")
     before = everything()
     shutil.rmtree("leaderboards/tiny")
@@ -123,13 +124,43 @@ def test_check_finds_what_is_stale_and_names_the_command(vpr_bench, runs):
     assert vpr_bench("leaderboard", "--check").code == 1
     assert not Path("leaderboards").exists()
     vpr_bench(*BOARD)
-    TABLE.write_text("edited")
+    with TABLE.open("a") as table:
+        table.write("edited")
     before = everything()
     done = vpr_bench("leaderboard", "--check")
     assert done.code == 1
     assert f"not up to date: {TABLE}" in done.err
     assert "vpr-bench leaderboard --output leaderboards" in done.err
+    hog = run_folder("hog").name
+    done = vpr_bench("leaderboard", hog, "--runs", "runs", "--check")
+    assert f"vpr-bench leaderboard {hog} --runs runs --output leaderboards" in done.err
     assert everything() == before
+
+
+def test_check_says_what_stands_in_the_way_of_the_tables(vpr_bench, runs):
+    vpr_bench(*BOARD)
+    Path("leaderboards/README.md").write_text("mine")
+    done = vpr_bench("leaderboard", "--check")
+    assert done.code == 3
+    assert "leaderboards/README.md was not made by `vpr-bench leaderboard`" in done.err
+    assert "Renew with" not in done.err
+
+
+@pytest.mark.parametrize("option", [(), ("--check",), ("--runs", "runs")])
+def test_tables_do_not_go_among_runs(vpr_bench, runs, option):
+    before = everything("runs")
+    done = vpr_bench(*BOARD, "--output", "runs", *option)
+    assert done.code == 2
+    assert "runs holds runs" in done.err and "--runs runs" in done.err
+    assert everything("runs") == before
+
+
+def test_a_folder_in_the_place_of_the_rows_is_called_one(vpr_bench, runs):
+    RESULTS.mkdir(parents=True)
+    done = vpr_bench(*BOARD)
+    assert done.code == 3
+    assert f"{RESULTS} is a folder" in done.err
+    assert everything() == {}
 
 
 def test_check_sees_runs_that_are_not_in_the_rows(vpr_bench, runs):
@@ -208,6 +239,7 @@ def test_other_images_are_refused_unless_all_rows_are_replaced(vpr_bench, runs):
         digest = json.loads(text)["key"]["dataset_digest"]
         newer = text.replace(json.loads(text)["created"], "2999-01-01T00:00:00+00:00")
         record.write_text(newer.replace(digest, "sha256:" + "f" * 64), "utf-8")
+        record.parent.rename(record.parent.with_name(read_record(record).key.digest()))
     done = vpr_bench(*BOARD, str(run_folder("hog")))
     assert done.code == 3
     assert digest in done.err

@@ -107,6 +107,16 @@ def test_what_is_no_longer_as_it_was(vpr_bench, folder, tiny_dataset):
     assert vpr_bench("reproduce", str(folder)).code == 3
 
 
+def test_no_run_but_a_reproduction_is_overwritten(vpr_bench, folder):
+    assert vpr_bench(*TINY, "--output", "other").code == 0
+    before = (Path("other") / folder.relative_to("runs") / "run.json").stat().st_mtime_ns
+    done = vpr_bench("reproduce", str(folder), "--output", "other")
+    assert done.code == 2
+    assert "is no reproduction, and not overwritten" in done.err
+    assert (Path("other") / folder.relative_to("runs") / "run.json").stat().st_mtime_ns == before
+    assert [vpr_bench("reproduce", str(folder)).code for _ in range(2)] == [0, 0]
+
+
 def test_a_damaged_run(vpr_bench, folder):
     (folder / "matches.npz").write_bytes(b"")
     assert vpr_bench("reproduce", str(folder)).code == 3

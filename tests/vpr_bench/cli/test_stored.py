@@ -119,7 +119,7 @@ def test_markdown(vpr_bench, folder):
     [
         (("score", "--plot", "radius.png"), 2, "give several"),
         (("score", "--radius", "0,1", "--plot", "radius.gif"), 2, "must end in .png or .svg"),
-        (("score", "--radius", "0,1", "--plot", "nowhere/radius.png"), 3, "Cannot write"),
+        (("score", "--radius", "0,1", "--plot", "nowhere/radius.png"), 3, "there is no folder nowhere"),
         (("score", "--radius", "3..1"), 2, "A range of radii goes up"),
         (("score", "--radius", "0..999999999"), 2, "A range of radii goes up"),
         (("score", "--radius", "-1..2"), 2, "Got '-1..2'"),

@@ -44,6 +44,7 @@ class Answered:
     machine: Machine = MACHINE
     provenance: Provenance = QUIET
     record: dict = field(default_factory=dict)
+    folder: str = ""
 
     def arrays(self):
         indices = ranked(self.first, self.k)
@@ -66,8 +67,9 @@ def stored(tmp_path):
 
     def make(**changes):
         one = Answered(**changes)
-        folder = tmp_path / f"run{len(list(tmp_path.glob('run*')))}"
-        folder.mkdir()
+        number = len(list(tmp_path.rglob("run.json")))
+        folder = tmp_path / (one.folder or f"run{number}")
+        folder.mkdir(parents=True)
         for name, content in one.arrays().items():
             write_arrays(folder / name, content)
         source, _, rest = one.protocol.partition("/")
@@ -96,7 +98,7 @@ def stored(tmp_path):
             "peak_memory": {"fit": 10, "match": 20},
             "machine": one.machine,
             "provenance": one.provenance,
-            "created": f"2024-01-01T00:00:00.{folder.name}",
+            "created": f"2024-01-01T00:00:00.run{number}",
             "files": {name: sha256_of_file(folder / name) for name in one.arrays()},
         }
         record = RunRecord(**{**content, **one.record})

@@ -46,6 +46,12 @@ def test_csv_has_a_line_for_each(comparison):
     assert {line["protocol"] for line in lines} == {"gardens/day_left-night_right@0f"}
 
 
+def test_runs_of_one_name_are_told_apart(stored):
+    found = compare_runs(stored(folder="before/run"), stored(folder="after/run"), ["recall@1"], resamples=20)
+    line = next(csv.DictReader(io.StringIO(to_csv(found, str))))
+    assert line["run_a"].endswith("before/run") and line["run_b"].endswith("after/run")
+
+
 def test_no_text_in_csv_is_a_formula(stored):
     seconds = {"decode": 0.5, '=HYPERLINK("http://x")': 0.02, "total": 0.03}
     found = compare_runs(

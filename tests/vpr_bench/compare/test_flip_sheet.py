@@ -66,6 +66,11 @@ def test_a_row_per_query_with_both_answers_and_the_true_place(pair_of_runs, draw
     assert "only by A 2, only by B 3" in given["said"] and "shown" not in given["said"]
 
 
+def test_runs_of_one_label_are_named_by_their_folders(stored, drawn):
+    runs = stored(folder="old"), stored(folder="new", first=[1] * 8)
+    assert drawn(compare_runs(*runs, resamples=5), Pictures())["title"] == "A  hog (old)   ·   B  hog (new)"
+
+
 def test_images_that_are_not_here_leave_spaces(pair_of_runs, drawn):
     given = drawn(compare_runs(*pair_of_runs, resamples=5), Pictures(here=False))
     assert all(panel.pixels is None and panel.empty == "image not here" for row in given["rows"] for panel in row)

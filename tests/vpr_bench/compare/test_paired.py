@@ -2,6 +2,7 @@ import numpy as np
 import pytest
 
 from vpr_bench.compare import compare_runs
+from vpr_bench.compare.caveats import caveats
 from vpr_bench.errors import UsageError
 
 
@@ -42,6 +43,23 @@ def test_no_query_counts(stored):
 def test_the_edition_is_remembered(stored):
     protocol = "gardens:simulated/day_left-night_right@0f"
     assert compare_runs(stored(protocol=protocol), stored(protocol=protocol, label="sad"), resamples=5).simulated
+
+
+def test_folders_of_one_name_are_told_apart(stored, tmp_path):
+    found = compare_runs(stored(), stored(label="sad"), resamples=5)
+    assert found.folders == ("run0", "run1")
+    found = compare_runs(stored(folder="before/run"), stored(folder="after/run"), resamples=5)
+    assert found.folders == (str(tmp_path / "before/run"), str(tmp_path / "after/run"))
+
+
+@pytest.mark.parametrize(
+    ("changes", "identical"),
+    [({}, True), ({"k": 2}, True), ({"scores": [0.5] * 8}, False), ({"first": [0] * 8}, False)],
+)
+def test_identical_answers(stored, changes, identical):
+    found = compare_runs(stored(), stored(label="sad", **changes), ["recall@1"], resamples=5)
+    assert found.identical is identical
+    assert any("the same answers" in note for note in caveats(found)) is identical
 
 
 def test_no_resamples(pair_of_runs):

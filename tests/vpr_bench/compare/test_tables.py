@@ -47,6 +47,21 @@ def test_names_with_markup_are_text(stored):
     assert "&lt;b&gt;&#124;y" in grids[0].markdown()
 
 
+def test_runs_of_one_name_are_told_apart(stored):
+    found = compare_runs(stored(folder="before/run"), stored(folder="after/run"), ["recall@1"], resamples=5)
+    rows = comparison_grids(found, name_of)[0].rows
+    assert rows[0][1].endswith("before/run") and rows[1][1].endswith("after/run")
+
+
+def test_a_very_long_label_is_cut(stored):
+    seconds = {"x" * 3000: 0.1, "total": 0.2}
+    found = compare_runs(
+        stored(label="long" * 700, seconds=seconds), stored(seconds=seconds), ["recall@1"], resamples=5
+    )
+    grids = comparison_grids(found, name_of)
+    assert "…" in grids[0].rows[0][0] and max(len(cell) for grid in grids for row in grid.rows for cell in row) < 100
+
+
 def test_a_long_list_says_how_many_more(stored, monkeypatch):
     monkeypatch.setattr("vpr_bench.compare.tables.MOST", 2)
     grids = comparison_grids(compare_runs(stored(), stored(first=[-1] * 8, label="sad"), resamples=5), name_of)

@@ -135,6 +135,7 @@ def test_the_overview_of_a_terminal_fits_its_window(make_entry):
     grids = overview_grids(boards([make_entry(protocol=protocol) for protocol in protocols]))
     heads = [head for grid in grids for head in grid.head[1:]]
     assert [head.replace("\n", "") for head in heads] == [protocol.replace("/", "") for protocol in protocols]
+    assert [grid.title for grid in grids] == [f"Simulated images: recall@1 ({n} of 5)" for n in range(1, 6)]
     for grid in grids:
         assert sum(max(map(len, head.splitlines())) + 2 for head in grid.head[1:]) <= 56
 
@@ -156,6 +157,16 @@ def test_hostile_names_are_text_in_one_cell(make_entry, name):
         assert "\u202e" not in text
     assert [len(row) for row in cells(files["streets/day-night@0f.md"])] == [9, 9]
     assert [len(row) for row in cells(files["README.md"])] == [2, 2]
+
+
+def test_a_very_long_label_loses_its_middle_in_every_table(make_entry):
+    label = f"hog({'x' * 3000})"
+    entries = [make_entry(label), make_entry(label, right=3, protocol=SIMULATED)]
+    for text in made(*entries).values():
+        assert "hog(x" in text and "x)" in text
+        assert "x" * 80 not in text
+    names = [row[0] for grid in overview_grids(boards(entries)) for row in grid.rows]
+    assert {len(name) for name in names} == {80}
 
 
 @given(st.from_regex(r"[a-z0-9][a-z0-9._]{0,200}", fullmatch=True))

@@ -1,8 +1,11 @@
+from contextlib import contextmanager
+
 import pytest
 
 from vpr_bench.errors import DamagedError, DataError
 from vpr_bench.leaderboard import merge as merge_module
 from vpr_bench.leaderboard.merge import merge
+from vpr_bench.progress import listen
 
 LATER = "2026-02-02T00:00:00+00:00"
 
@@ -141,3 +144,17 @@ def test_and_refused_if_nobody_does(make_run, damaged):
 def test_a_run_of_no_time_is_damaged(make_run):
     with pytest.raises(DamagedError, match="'soon' is no time"):
         merge([], [make_run(created="soon")])
+
+
+def test_where_nothing_is_to_be_scored_no_progress_is_shown(make_run):
+    shown, run = [], make_run()
+
+    @contextmanager
+    def listener(description, total):
+        shown.append((description, total))
+        yield lambda steps: None
+
+    with listen(listener):
+        rows = merge([], [run]).entries
+        merge(rows, [run])
+    assert shown == [("Scoring", 1)]

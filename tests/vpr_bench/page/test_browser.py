@@ -117,6 +117,24 @@ class TestOpening:
         assert "<b>they</b>" in desk.locator(f"{SHOWN} .ranking").inner_text()
         assert "<u>chip 8</u>" in desk.locator("body > footer").inner_text()
 
+    def test_a_very_long_name_is_cut_and_told_whole(self, desk, hostile):
+        name = desk.locator(f"{SHOWN} .ranking .name", has_text="<img")
+        whole = name.get_attribute("title")
+        assert "x" * 300 in whole and whole.startswith(hostile[:28])
+        assert "x" * 80 not in desk.locator(f"{SHOWN} .ranking").inner_text()
+        assert "x" * 80 not in desk.locator(f"{SHOWN} .methods").inner_text()
+        assert "x" * 80 not in desk.locator(f"{SHOWN} .gallery select").inner_text()
+        assert "x" * 300 in desk.locator(f"{SHOWN} .origin").text_content()
+
+    def test_an_interval_can_be_seen_beside_its_value(self, desk):
+        sizes = """(whisker) => ["::before", "::after"].map((part) => {
+          const style = getComputedStyle(whisker, part);
+          return [parseFloat(style.width), parseFloat(style.height)];
+        })"""
+        for whisker in desk.locator(f"{SHOWN} .whisker").all():
+            bar, mark = whisker.evaluate(sizes)
+            assert bar[0] >= 2 * mark[0] and bar[1] >= 4
+
 
 class TestTable:
     def test_what_has_no_place_is_last_and_partial_rows_are_blank(self, desk):
@@ -142,6 +160,8 @@ class TestTable:
         find.fill("SECO")
         assert methods(desk) == ["second"]
         assert desk.locator(f"{SHOWN} .count").inner_text() == "1 of 6 rows"
+        find.fill("x" * 200)
+        assert methods(desk) == ["<img"]
         find.fill("")
         desk.locator(f"{SHOWN} select[data-filter=frames]").select_option("several")
         assert methods(desk) == ["second"]
@@ -179,6 +199,28 @@ class TestChoosing:
         assert button.get_attribute("aria-pressed") == "false"
         button.click()
         assert desk.evaluate(lines, f"{SHOWN} .js-plotly-plot") == before
+
+    def test_axes_stay_where_they_are_when_no_method_is_left(self, opened):
+        page = opened()
+        for figure in page.locator(f"{SHOWN} figure[data-chart]").all():
+            figure.scroll_into_view_if_needed()
+            figure.locator(".main-svg").first.wait_for()
+        axes = f"""() => [...document.querySelectorAll("{SHOWN} .canvas")].map(
+          (canvas) => [canvas._fullLayout.xaxis.range, canvas._fullLayout.xaxis.dtick])"""
+        before = page.evaluate(axes)
+        for button in page.locator(f"{SHOWN} .methods button").all():
+            button.click()
+        assert page.locator(f"{SHOWN} .scatterlayer .trace path.js-line[d]").count() == 0
+        assert page.evaluate(axes) == before
+        assert page.noted == []
+
+    def test_lines_that_hide_each_other_are_named(self, opened):
+        page = opened()
+        radius = page.locator(f"{SHOWN} figure[data-chart=curves] select")
+        said = page.locator(f"{SHOWN} figure[data-chart=curves] .alike")
+        assert said.text_content() == ""
+        radius.select_option(index=radius.locator("option").count() - 1)  # within which every answer is right
+        assert re.fullmatch("One line for best, <img .*, busy and second\\.", said.text_content())
 
     def test_curves_at_another_radius_are_others(self, desk):
         recall = "CHART => document.querySelector(CHART).data[0].x.at(-1)"
@@ -227,6 +269,10 @@ class TestElsewhere:
         page = opened(viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True)
         page.locator(f"{SHOWN} .gallery").scroll_into_view_if_needed()
         page.locator(f"{SHOWN} .card").first.wait_for()
+        page.locator(f"{SHOWN} figure[data-chart=losses]").scroll_into_view_if_needed()
+        key = page.locator(f"{SHOWN} .methods").bounding_box()
+        assert 0 <= key["y"] < 10 and key["height"] < 160  # in view, and not in the way
+        assert page.locator(f"{SHOWN} .sideways").is_visible()
         for details in page.locator(f"{SHOWN} details").all():
             details.evaluate("one => { one.open = true; }")
         assert page.evaluate("document.documentElement.scrollWidth") <= 390

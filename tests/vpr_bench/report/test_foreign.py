@@ -5,7 +5,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from vpr_bench.errors import one_line
-from vpr_bench.report.foreign import guarded, guarded_cells, plain, unguarded
+from vpr_bench.report.foreign import guarded, guarded_cells, plain, shortened, unguarded
 from vpr_bench.report.grid import Grid
 
 markdown_it = pytest.importorskip("markdown_it")
@@ -85,3 +85,14 @@ def test_no_text_is_a_formula_and_each_is_read_back(text):
 
 def test_numbers_are_not_guarded():
     assert guarded_cells({"a": -1.5, "b": None, "c": "-1.5"}) == {"a": -1.5, "b": None, "c": "'-1.5"}
+
+
+@given(st.text(), st.integers(1, 40))
+def test_a_shortened_text_has_the_ends_of_the_whole_one(text, most):
+    whole, short = one_line(text) or "?", shortened(text, most)
+    if len(whole) <= most:
+        assert short == whole
+    else:
+        head, tail = short[: most // 2], short[most // 2 + 1 :]
+        assert len(short) == most and short[most // 2] == "…"
+        assert whole.startswith(head) and whole.endswith(tail)

@@ -73,10 +73,13 @@ def test_without_labels_the_first_reference_is_the_nearest():
 
 
 def test_a_protocol_that_the_places_cannot_serve_is_refused():
-    with pytest.raises(UsageError, match="lists no ground truth for a-b"):
-        Places(np.zeros(1), np.zeros(1)).ground_truth(protocol("given"))
-    with pytest.raises(UsageError, match="has no place labels"):
-        Places(given=GroundTruth.from_lists([[0]], 1)).ground_truth(protocol("f", 1))
+    listed, measured = Places(given=GroundTruth.from_lists([[0]], 1)), Places(np.zeros(1), np.zeros(1))
+    for ask in (Places.ground_truth, Places.check):
+        with pytest.raises(UsageError, match="lists no ground truth for a-b"):
+            ask(measured, protocol("given"))
+        with pytest.raises(UsageError, match="has no place labels"):
+            ask(listed, protocol("f", 1))
+    listed.check(protocol("given"))
 
 
 @pytest.mark.parametrize(("unit", "radius"), [("f", 9), ("m", 9.5), ("nearest", 3)])

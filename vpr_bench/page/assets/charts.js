@@ -1,13 +1,10 @@
 // The charts of a protocol, each drawn when it comes into view, and again when a choice or the theme changes.
 
-const LONGEST = 44;
+const LONGEST = 44;  // characters of a name beside a pointer
 
 // Plotly takes tags and entities in what it writes for its own: nothing of a method's name must be one.
 function plain(text) {
-  const marks = [...text];
-  const half = LONGEST / 2;
-  const cut = marks.length <= LONGEST ? text : `${marks.slice(0, half).join("")}…${marks.slice(-half).join("")}`;
-  return cut.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
+  return shortened(text, LONGEST).replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
 }
 
 function colours() {
@@ -41,7 +38,7 @@ function lineOf(view, colour, one, x, y, hover, more = {}) {
   const look = view.data.looks[one.method];
   const drawn = colour(`method-${look.colour}`);
   return {
-    x, y, hovertext: hover, hoverinfo: "text", mode: "lines+markers", name: plain(one.name),
+    x, y, hovertext: hover, hoverinfo: "text", mode: "lines+markers", name: plain(one.name), meta: one.name,
     line: { color: drawn, width: 2, dash: DASHES[look.dash] },
     marker: { color: drawn, symbol: MARKERS[look.marker], size: 7, maxdisplayed: 7 },
     ...more,
@@ -49,6 +46,17 @@ function lineOf(view, colour, one, x, y, hover, more = {}) {
 }
 
 const SHARE = { range: [0, 1.02], tickformat: ".1f", dtick: 0.2 };
+
+// Axes stay where they are, whatever methods are shown.
+function from0(highest) {
+  return { range: [-0.03 * highest, 1.03 * highest] };
+}
+
+function logarithmic(values) {
+  const powers = values.filter((value) => value > 0).map(Math.log10);
+  return { type: "log", tickformat: "~g", dtick: "D2", range: [Math.min(...powers) - 0.2, Math.max(...powers) + 0.2] };
+}
+
 const told = (value) => (value === null ? "–" : value.toFixed(3));
 const within = (view, radius) => (view.data.unit ? `radius ${radius} (${view.data.unit})` : "");
 
@@ -71,7 +79,7 @@ const CHARTS = {
         `<b>${plain(one.name)}</b><br>${within(view, one.radii[number])}<br>${metric} ${told(value)}`);
       return lineOf(view, colour, one, one.radii, one[metric], hover);
     });
-    const x = { title: `radius (${view.data.unit})`, rangemode: "tozero" };
+    const x = { title: `radius (${view.data.unit})`, ...from0(Math.max(...view.data.methods[0].radii)) };
     const own = {
       type: "line", xref: "x", yref: "paper", x0: view.data.radius, x1: view.data.radius, y0: 0, y1: 1,
       line: { color: colour("quiet"), width: 1, dash: "dot" }, layer: "below",
@@ -86,7 +94,8 @@ const CHARTS = {
         `<b>${plain(one.name)}</b><br>recall@${number + 1} ${told(value)}`);
       return lineOf(view, colour, one, depth, one.recalls, hover);
     });
-    return [traces, layout(colour, { title: "k", rangemode: "tozero" }, { title: "recall@k", ...SHARE })];
+    const deepest = Math.max(...view.data.methods.map((one) => one.recalls.length));
+    return [traces, layout(colour, { title: "k", ...from0(deepest) }, { title: "recall@k", ...SHARE })];
   },
 
   latency(view, colour) {
@@ -109,7 +118,7 @@ const CHARTS = {
       x: front.map((one) => one.ms), y: front.map((one) => one.recall), mode: "lines", hoverinfo: "skip",
       line: { color: colour("quiet"), width: 1.5, dash: "dot", shape: "hv" },
     });
-    const x = { title: `median ms per query, machine ${plot.machine}`, type: "log", dtick: "D2", tickformat: "~g" };
+    const x = { title: `median ms per query, machine ${plot.machine}`, ...logarithmic(plot.points.map((one) => one.ms)) };
     return [traces, layout(colour, x, { title: "recall@1", ...SHARE })];
   },
 
@@ -154,7 +163,20 @@ const CHOICES = {
 function draw(view, figure) {
   const [traces, shape] = CHARTS[figure.dataset.chart](view, colours());
   view.drawn.add(figure);
+  figure.querySelector(".alike").textContent = alike(traces);
   return Plotly.react(figure.querySelector(".canvas"), traces, shape, { displayModeBar: false, responsive: true });
+}
+
+// Of lines that are the same all through, only the last one can be seen.
+function alike(traces) {
+  const names = new Map();
+  for (const one of traces.filter((trace) => trace.meta)) {
+    const line = JSON.stringify([one.x, one.y]);
+    names.set(line, [...(names.get(line) ?? []), shortened(one.meta)]);
+  }
+  const several = [...names.values()].filter((group) => group.length > 1);
+  const list = new Intl.ListFormat("en-GB");
+  return several.map((group) => `One line for ${list.format(group)}.`).join(" ");
 }
 
 function drawAgain(view) {

@@ -51,7 +51,7 @@ function fill(view, method) {
     const cards = element("div", { class: "cards" });
     for (const [number, panels] of found.entries()) {
       const right = name === "successes";
-      const item = { panels, right, title: `${method.name}: ${right ? "success" : "failure"} ${number + 1} of ${found.length}` };
+      const item = { panels, right, title: `${shortened(method.name)}: ${right ? "success" : "failure"} ${number + 1} of ${found.length}` };
       item.card = element("button", { type: "button", class: "card", "aria-haspopup": "dialog" },
         ...panels.map((panel) => panelOf(panel, right)));
       const at = items.push(item) - 1;

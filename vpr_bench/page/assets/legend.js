@@ -16,7 +16,8 @@ function makeLegend(view) {
 }
 
 function legendButton(view, method, look) {
-  const button = element("button", { type: "button", "aria-pressed": "true" }, swatch(look), element("bdi", {}, method));
+  const button = element("button", { type: "button", "aria-pressed": "true", title: method }, swatch(look),
+    element("bdi", {}, shortened(method)));
   button.addEventListener("click", () => {
     const hide = !view.hidden.has(method);
     if (hide) view.hidden.add(method);

@@ -72,7 +72,8 @@ function rowOf(view, index) {
 }
 
 function methodOf(view, index) {
-  return rowOf(view, index).querySelector("th").textContent.toLowerCase();
+  const cell = rowOf(view, index).querySelector("th");  // the whole name, and what is said of it
+  return `${cell.dataset.order} ${cell.textContent}`.toLowerCase();
 }
 
 function prepareTables() {

@@ -28,9 +28,16 @@ function element(name, attributes = {}, ...children) {
   return made;
 }
 
+// The same as vpr_bench.report.foreign.shortened: a long name without its middle.
+function shortened(text, most = 80) {
+  const marks = [...text];
+  const tail = Math.floor((most - 1) / 2);
+  return marks.length <= most ? text : `${marks.slice(0, most - 1 - tail).join("")}…${marks.slice(-tail).join("")}`;
+}
+
 function choice(label, options, chosen, changed) {
   const select = element("select");
-  for (const [value, text] of options) select.append(new Option(text, value, false, value === chosen));
+  for (const [value, text] of options) select.append(new Option(shortened(text), value, false, value === chosen));
   select.addEventListener("change", () => changed(select.value));
   return element("label", {}, `${label} `, select);
 }
