@@ -11,8 +11,8 @@ import typer
 from vpr_bench.cli.bars import progress_bars
 from vpr_bench.cli.console import complain, say, show, write
 from vpr_bench.cli.options import RUNS
-from vpr_bench.cli.parameters import find_here, split_assignment
-from vpr_bench.errors import UsageError
+from vpr_bench.cli.parameters import find_here
+from vpr_bench.errors import DataError, UsageError
 
 if TYPE_CHECKING:
     from vpr_bench.gate.evidence import Evidence
@@ -45,7 +45,13 @@ def gate(
     ] = False,
     method: Annotated[
         list[str] | None,
-        typer.Option("--method", "-m", help="Only this method (repeat); a file.py:Class is run only if named here."),
+        typer.Option("--method", "-m", help="Only this method (repeat)."),
+    ] = None,
+    trust: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="With --run: a method whose code may be run though not installed (repeat).", metavar="FILE.py:CLASS"
+        ),
     ] = None,
     dataset: Annotated[
         list[str] | None, typer.Option(help="Only this dataset (repeat): gardens, gardens:real, or a folder.")
@@ -71,8 +77,10 @@ def gate(
         bool, typer.Option("--update", help="Write the runs into the baseline, and these rules if any are given.")
     ] = False,
     prune: Annotated[bool, typer.Option("--prune", help="With --update: drop the cells without a run.")] = False,
-    junit: Annotated[Path | None, typer.Option(help="Write JUnit XML as well.", metavar="FILE")] = None,
-    markdown: Annotated[Path | None, typer.Option(help="Write Markdown as well.", metavar="FILE")] = None,
+    junit: Annotated[Path | None, typer.Option(help="Write JUnit XML as well.", metavar="FILE", dir_okay=False)] = None,
+    markdown: Annotated[
+        Path | None, typer.Option(help="Write Markdown as well.", metavar="FILE", dir_okay=False)
+    ] = None,
     form: Annotated[GateFormat, typer.Option("--format", "-f", help="How to write the result to stdout.")] = "table",
 ) -> None:
     """Compare stored runs with a baseline: fail if accuracy fell by more than the rules allow.
@@ -88,14 +96,16 @@ def gate(
     if prune and not update:
         raise UsageError("--prune drops cells from the file: give it with --update.")
     overrides = _overrides(tolerance, significance, exact, latency_ratio)
-    find_here(*(method or []))
+    find_here(*(method or []), *(trust or []))
     # Stdout is for results: what a method prints is not one.
     with redirect_stdout(sys.stderr), progress_bars():
         old = read_baseline(baseline) if baseline.exists() or not update else Baseline()
+        if not (old.cells or update):
+            raise DataError(f"{baseline} holds no cells: nothing would be judged. Record some with --update.")
         overrides.apply(old.rules)  # so that a typing error costs no time
-        selection = Selection(method or [], dataset or [], protocol or [])
+        selection = Selection(method or [], dataset or [], protocol or [], trust or [])
         evidence = run_and_collect(old, selection, runs, say) if run else collect(old, selection, runs)
-        judgement = evidence.judge(overrides)
+        judgement = evidence.judge(overrides, recording=update)
         judgement = with_names(judgement, evidence.runs, selection.sources, lambda told: say(f"note: {told}"))
     _print(judgement, form, junit, markdown)
     if not update:
@@ -111,11 +121,12 @@ def _overrides(
     from vpr_bench.gate.rules import Overrides
 
     drops = {}
-    for metric, text in map(split_assignment, tolerance or []):
+    for assignment in tolerance or []:
+        metric, _, drop = assignment.partition("=")
         try:
-            drops[metric] = float(text)
+            drops[metric] = float(drop)
         except ValueError:
-            raise UsageError(f"A tolerance is written metric=drop. Got {metric}={text} instead.") from None
+            raise UsageError(f"A tolerance is written metric=drop. Got {assignment!r} instead.") from None
     return Overrides(drops, significance, exact, latency_ratio)
 
 
@@ -127,6 +138,9 @@ def _update(evidence: "Evidence", judgement: "Judgement", overrides: "Overrides"
     if judgement.count("error"):
         complain(f"{path} is left as it is: what could not be judged cannot be recorded.")
         raise typer.Exit(judgement.exit_code)
+    if not (evidence.recordable or prune):
+        why = " Runs with --limit are not recorded: a baseline needs all queries." if evidence.partial else ""
+        raise DataError(f"{path} is left as it is: there is nothing to record.{why}")
     asked = evidence.asked.cells
     with being_updated(path) as old:  # perhaps not what was judged: another process may have added its cells
         changes = updated(old, evidence.runs, overrides, only=asked, prune=prune, named=evidence.named)
@@ -135,17 +149,25 @@ def _update(evidence: "Evidence", judgement: "Judgement", overrides: "Overrides"
 
 
 def _print(judgement: "Judgement", form: GateFormat, junit: Path | None, markdown: Path | None) -> None:
-    from vpr_bench.files.atomic import write_bytes
     from vpr_bench.gate.junit import to_junit
     from vpr_bench.gate.markdown import to_markdown
     from vpr_bench.gate.tables import render
 
-    for path, written in ((junit, to_junit), (markdown, to_markdown)):
-        if path is not None:
-            write_bytes(path, (written(judgement) + "\n").encode())
     if form == "json":
         write(json.dumps(judgement.as_dict(), indent=2))
     elif form == "table":
         show(render(judgement))
     else:
         write(to_junit(judgement) if form == "junit" else to_markdown(judgement))
+    for path, written in ((junit, to_junit), (markdown, to_markdown)):  # last: the verdict is told whatever happens
+        if path is not None:
+            _write(path, written(judgement) + "\n")
+
+
+def _write(path: Path, text: str) -> None:
+    from vpr_bench.files.atomic import write_bytes
+    from vpr_bench.files.disk import disk_errors
+
+    with disk_errors(path):
+        path.parent.mkdir(parents=True, exist_ok=True)
+    write_bytes(path, text.encode())

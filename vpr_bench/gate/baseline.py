@@ -1,11 +1,9 @@
 """The baseline file: rules, and one cell for each method and protocol."""
 
 import json
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 from pydantic import BaseModel, ConfigDict, ValidationError
 
@@ -15,8 +13,9 @@ from vpr_bench.files.disk import disk_errors
 from vpr_bench.files.lock import held
 from vpr_bench.files.migrations import migrated
 from vpr_bench.gate.cell import Cell, check_cell
+from vpr_bench.gate.content import RESTORE, read_content
 from vpr_bench.gate.migrations import SCHEMA_VERSION, STEPS
-from vpr_bench.gate.rules import FRESH, Rules
+from vpr_bench.gate.rules import ALLOWED, FRESH, Rules
 
 
 class Baseline(BaseModel):
@@ -67,7 +66,7 @@ def read_baseline(path: Path) -> Baseline:
     """
     if not path.exists():
         raise DataError(f"There is no baseline {path}. Record one with `vpr-bench gate --baseline {path} --update`.")
-    content = _content(path)
+    content = read_content(path)
     found = content.get("schema_version")
     if type(found) is not int:
         raise DamagedError(f"{path} is no baseline: it has no schema_version.")
@@ -79,12 +78,18 @@ def read_baseline(path: Path) -> Baseline:
         baseline = Baseline.model_validate(migrated(content, STEPS, SCHEMA_VERSION))
         baseline.rules.check()
     except ValidationError as error:
-        raise DamagedError(f"{path} is damaged: {one_line(first_fault(error)):.300}. {_ADVICE}") from None
+        advice = ALLOWED if "rules" in error.errors()[0]["loc"] else RESTORE
+        raise DamagedError(f"{path} is damaged: {one_line(first_fault(error)):.300}. {advice}") from None
     except UsageError as error:
-        raise DamagedError(f"{path}: {error}") from None
+        raise DamagedError(f"{path}, rules: {error}") from None
     for key, cell in baseline.cells.items():
+        where = f"{path}: the cell {one_line(key):.200}"
         if fault := check_cell(cell, key):
-            raise DamagedError(f"{path}: the cell {one_line(key):.200}: {one_line(fault):.300}. {_ADVICE}")
+            raise DamagedError(f"{where}: {one_line(fault):.300}. {RESTORE}")
+        try:
+            cell.rules.check()
+        except UsageError as error:
+            raise DamagedError(f"{where}, rules: {error}") from None
     return baseline
 
 
@@ -118,28 +123,3 @@ def being_updated(path: Path) -> Iterator[Baseline]:
     """
     with held(path.with_name(f".{path.name}.lock"), f"Waiting for another process that updates {path}"):
         yield read_baseline(path) if path.exists() else Baseline()
-
-
-_ADVICE = "Only rules are edited by hand: take the file back from version control, or delete the cell and --update."
-
-
-def _content(path: Path) -> dict[str, Any]:
-    try:
-        with disk_errors(path, "read"):
-            content = json.loads(path.read_bytes(), object_pairs_hook=_without_duplicates, parse_constant=_refuse)
-    except (ValueError, RecursionError) as error:
-        raise DamagedError(f"{path} is damaged: {one_line(error):.300}. {_ADVICE}") from None
-    if not isinstance(content, dict):
-        raise DamagedError(f"{path} is no baseline: it holds no object.")
-    return content
-
-
-def _without_duplicates(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    name, times = Counter(name for name, _ in pairs).most_common(1)[0] if pairs else ("", 1)
-    if times > 1:
-        raise ValueError(f"{name!r:.200} is there {times} times")
-    return dict(pairs)
-
-
-def _refuse(constant: str) -> float:
-    raise ValueError(f"{constant} is no number")

@@ -1,14 +1,16 @@
 """What there is to judge: the cells that somebody asks about, the runs for them, and what could not be had."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from vpr_bench.errors import DataError
 from vpr_bench.gate.baseline import Baseline
+from vpr_bench.gate.cell import Cell
+from vpr_bench.gate.damaged import DamagedRun
 from vpr_bench.gate.gathering import gather
 from vpr_bench.gate.judging import judge
-from vpr_bench.gate.matching import belongs
+from vpr_bench.gate.matching import belongs, choose
 from vpr_bench.gate.rerun import run_cells
 from vpr_bench.gate.rules import Overrides
 from vpr_bench.gate.selection import Selection, Subject
@@ -40,11 +42,29 @@ class Evidence:
     left_out: int
     named: bool = False
 
-    def judge(self, overrides: Overrides) -> Judgement:
-        """Judge all of it; errors of what could not be had stand with the rest."""
+    @property
+    def partial(self) -> list[Path]:
+        """Folders of the runs of some queries only."""
+        return list(dict.fromkeys(run.folder for run in self.runs if run.record.partial))
+
+    @property
+    def recordable(self) -> bool:
+        """Whether there is a run of all queries."""
+        return any(not run.record.partial for run in self.runs)
+
+    def judge(self, overrides: Overrides, *, recording: bool = False) -> Judgement:
+        """Judge all of it; errors of what could not be had stand with the rest.
+
+        Parameters
+        ----------
+        overrides : Overrides
+            Instead of the baseline's rules.
+        recording : bool
+            As of :class:`~vpr_bench.gate.verdict.Judgement`.
+        """
         verdicts = [*judge(self.asked, self.runs, overrides, named=self.named).verdicts, *self.errors]
         ordered = sorted(verdicts, key=lambda one: (one.outcome == "new", one.protocol, one.label))
-        return Judgement(ordered, self.left_out)
+        return Judgement(ordered, self.left_out, self.partial, recording)
 
 
 def collect(baseline: Baseline, selection: Selection, root: Path) -> Evidence:
@@ -68,11 +88,14 @@ def collect(baseline: Baseline, selection: Selection, root: Path) -> Evidence:
     """
     runs, damaged = gather(root)
     if not runs and not damaged:
-        raise DataError(f"There are no runs under {root}. Give --run to make those of the baseline, or --runs.")
+        raise DataError(
+            f"There are no runs under {root}. --run makes those of the baseline, and --runs names another folder."
+        )
     cells, wanted = baseline.cells.values(), [one for run in runs for one in selection.asked_of(run)]
     selection.check([*map(Subject.of_cell, cells), *map(Subject.of_run, [*runs, *wanted])])
     asked = [cell for cell in cells if selection.wants(Subject.of_cell(cell))]
-    return Evidence(baseline.with_cells(asked), wanted, damaged, len(cells) - len(asked), selection.names_radii)
+    errors, left = _told(damaged, asked, runs, selection)
+    return Evidence(baseline.with_cells(left), wanted, errors, len(cells) - len(asked), selection.names_radii)
 
 
 def run_and_collect(baseline: Baseline, selection: Selection, root: Path, say: Callable[[str], None]) -> Evidence:
@@ -91,4 +114,20 @@ def run_and_collect(baseline: Baseline, selection: Selection, root: Path, say: C
     others = [run for run in evidence.runs if not any(belongs(run, cell) for cell in asked)]
     unrun = {(one.label, one.protocol) for one in failed}
     cells = [cell for cell in asked if (cell.label, cell.protocol) not in unrun]
-    return replace(evidence, asked=baseline.with_cells(cells), runs=fresh + others, errors=[*failed, *evidence.errors])
+    errors = [*failed, *(one for one in evidence.errors if (one.label, one.protocol) not in unrun)]
+    return replace(evidence, asked=baseline.with_cells(cells), runs=fresh + others, errors=errors)
+
+
+def _told(
+    damaged: Iterable[DamagedRun], asked: Sequence[Cell], runs: Sequence[StoredRun], selection: Selection
+) -> tuple[list[Verdict], list[Cell]]:
+    """Return an error for each damaged run that is asked about, and the cells that are not told of by these."""
+    left, errors = list(asked), []
+    for one in damaged:
+        cell = one.cell([cell for cell in left if choose(cell, runs) is None])
+        if cell is not None:
+            left.remove(cell)
+            errors.append(one.verdict(cell.label, cell.protocol))
+        elif one.run is None or selection.wants(Subject.of_run(one.run)):
+            errors.append(one.verdict())
+    return errors, left

@@ -90,14 +90,14 @@ class Gate:
         from vpr_bench.gate.trial import Trial
         from vpr_bench.gate.words import failure
 
-        overrides = Overrides(tolerance or {}, significance, exact, latency_ratio)
+        overrides = Overrides({} if tolerance is None else tolerance, significance, exact, latency_ratio)
         try:
-            trial = Trial(method, dataset, protocol, dict(parameters or {}), seed, k)
+            trial = Trial(method, dataset, protocol, {} if parameters is None else parameters, seed, k)
             if self._update:
                 trial.record(self._baseline, self._runs)
             verdict = trial.judge(self._baseline, self._runs, overrides)
         except VprBenchError as error:
-            pytest.fail(str(error), pytrace=False)
+            raise pytest.fail.Exception(str(error), pytrace=False) from None
         if verdict.exit_code:
             pytest.fail(failure(verdict), pytrace=False)
         return verdict

@@ -5,31 +5,28 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
 
-from vpr_bench.errors import one_line
+from vpr_bench.gate.damaged import DamagedRun
 from vpr_bench.gate.rerun import Sources
 from vpr_bench.gate.verdict import Judgement, Verdict
 from vpr_bench.report.pictures import RunPictures
-from vpr_bench.runner.store import RunStore, StoredRun, StoreWarning
+from vpr_bench.runner.store import RECORD, RunStore, StoredRun, StoreWarning
 
 
-def gather(root: Path) -> tuple[list[StoredRun], list[Verdict]]:
-    """Return the complete runs, oldest first, and an error for each that is damaged or of another schema.
+def gather(root: Path) -> tuple[list[StoredRun], list[DamagedRun]]:
+    """Return the complete runs, oldest first, and those that are damaged or of another schema.
 
     Parameters
     ----------
     root : Path
         Folder that holds the runs.
     """
-    with warnings.catch_warnings(record=True) as noted:
-        warnings.simplefilter("always")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", StoreWarning)  # each is looked at again below
         runs = RunStore(root).runs()
-    faults = []
-    for one in noted:
-        if issubclass(one.category, StoreWarning):
-            faults.append(Verdict("a stored run", "", "error", reasons=[one_line(one.message)]))
-        else:
-            warnings.warn_explicit(one.message, one.category, one.filename, one.lineno)
-    return runs, faults
+    whole = {run.folder for run in runs}
+    folders = sorted(record.parent for record in root.glob(f"*/*/*/*/{RECORD}"))
+    rest = [folder for folder in folders if folder not in whole and "." not in folder.name]
+    return runs, [damaged for folder in rest if (damaged := DamagedRun.at(folder)) is not None]
 
 
 def with_names(

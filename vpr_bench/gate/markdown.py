@@ -4,7 +4,7 @@ from html import escape
 
 from vpr_bench.errors import one_line
 from vpr_bench.gate.verdict import Judgement, Verdict
-from vpr_bench.gate.words import HEAD, by_protocol, details, moved, reasons, table_rows
+from vpr_bench.gate.words import HEAD, by_protocol, details, legend, moved, reasons, skipped, table_rows
 from vpr_bench.report.foreign import plain
 from vpr_bench.report.grid import Grid
 
@@ -23,6 +23,7 @@ def to_markdown(judgement: Judgement) -> str:
         rows = [row for verdict in verdicts for row in table_rows(verdict)]
         parts += [f"### {plain(protocol)}", Grid("", HEAD, rows).markdown()]
         parts += [_details(verdict) for verdict in details(judgement, protocol)]
+    parts += [plain(line) for line in [*legend(judgement), *skipped(judgement)]]
     return "\n\n".join(parts)
 
 

@@ -34,7 +34,7 @@ class MetricChange:
     rule : Rule
         What is allowed.
     p_value : float or None
-        Of McNemar's exact test; None where it was not done.
+        Of McNemar's exact test, or of the paired bootstrap; None where nothing was tested.
     interval : (float, float) or None
         Of the difference, by the paired bootstrap, at the rule's significance; None where it was not computed.
     faults : tuple of str
@@ -70,7 +70,7 @@ def metric_change(metric: str, rule: Rule, before: Answers, after: Answers) -> M
     """Compare one metric of two runs on the same queries.
 
     Significance is tested only where the metric fell: by McNemar's exact test for shares of queries (``recall@K`` and
-    ``accuracy``), by the paired bootstrap's interval for all others.
+    ``accuracy``), by the paired bootstrap for all others, whose p-value is never below 2 / (``RESAMPLES`` + 1).
 
     Parameters
     ----------
@@ -93,11 +93,11 @@ def metric_change(metric: str, rule: Rule, before: Answers, after: Answers) -> M
     p_value, interval = None, None
     if rule.significance:
         p_value, interval = _test(metric, before, after, rule.significance)
-        if p_value is not None and p_value < rule.significance:
-            faults.append(f"significant at {rule.significance:g} (p = {p_value:.2g}, McNemar's exact test)")
-        if interval is not None and interval[1] < 0:
-            between = f"{interval[0]:.3f} to {interval[1]:.3f}"
-            faults.append(f"significant at {rule.significance:g} ({between}, paired bootstrap)")
+        if p_value <= rule.significance:
+            test = "McNemar's exact test"
+            if interval is not None:
+                test = f"{interval[0]:.3f} to {interval[1]:.3f}, paired bootstrap"
+            faults.append(f"significant at {rule.significance:g} (p = {p_value:.2g}, {test})")
     told = (f"{metric} fell by {old - new:.3f} ({old:.3f} → {new:.3f}): {', '.join(faults)}",) if faults else ()
     return MetricChange(metric, old, new, rule, p_value, interval, told)
 
@@ -112,13 +112,13 @@ def _too_deep(metric: str, answers: Answers) -> str | None:
 
 def _test(
     metric: str, before: Answers, after: Answers, significance: float
-) -> tuple[float | None, tuple[float, float] | None]:
-    """Return the p-value of McNemar's test for a share of queries, else the bootstrap's interval of the difference."""
+) -> tuple[float, tuple[float, float] | None]:
+    """Return the p-value of McNemar's test for a share of queries, else the bootstrap's with the interval."""
     old, new = _well(metric, before), _well(metric, after)
     if old is not None and new is not None:
         return mcnemar(old, new).p_value, None
     found = bootstrap_difference(after, before, [metric], RESAMPLES, confidence=1 - significance)[metric]
-    return None, (found.low, found.high)
+    return found.p_value, (found.low, found.high)
 
 
 def _well(metric: str, answers: Answers) -> NDArray[np.bool_] | None:

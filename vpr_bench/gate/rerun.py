@@ -13,7 +13,7 @@ from vpr_bench.gate.verdict import Verdict, error
 from vpr_bench.method.build import BuiltMethod, build_method
 from vpr_bench.method.rebuild import rebuilding
 from vpr_bench.runner.images import OtherImagesError, case_of
-from vpr_bench.runner.run import RunOptions, run
+from vpr_bench.runner.run import RunOptions, find_run, run, run_key
 from vpr_bench.runner.store import RunStore, StoredRun
 
 Say = Callable[[str], None]
@@ -58,7 +58,7 @@ class Sources:
         UsageError
             If it does not exist, is not installed and not named by the user, or does not take these parameters.
         """
-        with rebuilding(self.methods):
+        with rebuilding(self.methods, option="--trust"):
             built = build_method(cell.method, cell.parameters, cell.seed)
         if built.label != cell.label:
             raise UsageError(f"The baseline's {cell.label!r} is now called {built.label!r}. Record it with --update.")
@@ -90,9 +90,8 @@ def run_cells(
     """
     runs, errors = [], []
     for cell in cells:
-        say(one_line(f"{cell.label} on {cell.protocol}"))
         try:
-            runs.append(run_cell(cell, root, sources))
+            runs.append(run_cell(cell, root, sources, say))
         except VprBenchError as fault:
             errors.append(error(cell.label, cell.protocol, fault))
     return runs, errors
@@ -103,7 +102,7 @@ def options_of(cell: Cell) -> RunOptions:
     return RunOptions(seed=cell.seed, k=cell.k, threads=max(1, min(cell.threads, available_cores())))
 
 
-def run_cell(cell: Cell, root: Path, sources: Sources) -> StoredRun:
+def run_cell(cell: Cell, root: Path, sources: Sources, say: Say = lambda told: None) -> StoredRun:
     """Run one cell, or take the stored run, as if it had been asked for the cell's protocol.
 
     Parameters are those of :func:`run_cells`.
@@ -114,4 +113,7 @@ def run_cell(cell: Cell, root: Path, sources: Sources) -> StoredRun:
         If it cannot be run.
     """
     built, case = sources.method(cell), sources.case(cell)
-    return asked_for(run(case, built, RunStore(root), options_of(cell)), cell.asked)
+    store, options = RunStore(root), options_of(cell)
+    found = find_run(store, run_key(case, built, options), options.overwrite)
+    say(one_line(f"{cell.label} on {cell.protocol}: {'stored already' if found else 'running'}"))
+    return asked_for(found or run(case, built, store, options), cell.asked)

@@ -2,11 +2,18 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from numbers import Real
 
 from pydantic import BaseModel, ConfigDict, Field
 
 from vpr_bench.errors import UsageError
 from vpr_bench.metrics.definitions import lookup
+
+ALLOWED = (
+    'Rules hold "exact" (true or false), "latency_ratio" (above 0), and "metrics", each with a "tolerance" (0 to 1), '
+    'a "significance" (0 to less than 1), or both.'
+)
+"""What may stand in a file, for those who edit it."""
 
 
 class Rule(BaseModel):
@@ -134,6 +141,7 @@ class Overrides:
         return merged
 
     def _check(self) -> None:
+        self._check_types()
         for name, value in self.tolerance.items():
             if not 0 <= value <= 1:
                 raise UsageError(f"The tolerance of {name} must lie between 0 and 1. Got {value:g} instead.")
@@ -141,3 +149,20 @@ class Overrides:
             raise UsageError(f"The significance must be at least 0 and below 1. Got {self.significance:g} instead.")
         if self.latency_ratio is not None and not 0 < self.latency_ratio < float("inf"):
             raise UsageError(f"The latency ratio must be positive. Got {self.latency_ratio:g} instead.")
+
+    def _check_types(self) -> None:
+        """Refuse what tests may pass, whose types nobody checks."""
+        drops = self.tolerance.items() if isinstance(self.tolerance, Mapping) else [(None, None)]
+        if not all(isinstance(name, str) and _is_number(drop) for name, drop in drops):
+            raise UsageError(
+                f"tolerance is {{metric: drop}}, such as {{'recall@1': 0.02}}. Got {self.tolerance!r:.200} instead."
+            )
+        for name, value in (("significance", self.significance), ("latency_ratio", self.latency_ratio)):
+            if value is not None and not _is_number(value):
+                raise UsageError(f"{name} is a number. Got {value!r:.200} instead.")
+        if not isinstance(self.exact, bool | None):
+            raise UsageError(f"exact is True or False. Got {self.exact!r:.200} instead.")
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, Real) and not isinstance(value, bool)

@@ -60,11 +60,14 @@ class Selection:
         As for ``vpr-bench run``; without an edition, all editions: ``gardens:real`` are the real images only.
     protocols : sequence of str
         ``references-queries``, with or without the radius (``@5f``) and, after that, the policy (``~reject``).
+    trusted : sequence of str
+        Methods whose code may be run though they are not installed; they choose nothing.
     """
 
     methods: Sequence[str] = ()
     datasets: Sequence[str] = ()
     protocols: Sequence[str] = ()
+    trusted: Sequence[str] = ()
     _requests: tuple[tuple[str, Request], ...] = field(init=False, repr=False, default=())
     _ids: dict[str, str] = field(init=False, repr=False, default_factory=dict)
 
@@ -74,14 +77,15 @@ class Selection:
         Raises
         ------
         UsageError
-            If there is no such dataset, a protocol cannot be read, or two methods have one name in results.
+            If there is no such dataset or trusted method, a protocol cannot be read, or two methods have one name in
+            results.
         DataError
             If a folder of one's own is not recognised.
         """
         requests = tuple((name, Request.parse(name)) for name in expand_groups(self.datasets))
         object.__setattr__(self, "_requests", tuple((_dataset_id(request), request) for _, request in requests))
         object.__setattr__(self, "_ids", {name: _method_id(name) for name in self.methods})
-        places_of(self._ids)
+        self._places()
         for name in self.protocols:
             if "@" in name:
                 _protocol("any", name)
@@ -90,7 +94,7 @@ class Selection:
     def sources(self) -> Sources:
         """Where the methods and folders lie that are named."""
         folders = {dataset: one.dataset for dataset, one in self._requests if own_folder(one.dataset) is not None}
-        return Sources(places_of(self._ids), folders)
+        return Sources(self._places(), folders)
 
     @property
     def names_radii(self) -> bool:
@@ -134,6 +138,9 @@ class Selection:
         for name in self.protocols:
             if not any(_is_pairing(name, one) for one in subjects):
                 raise UsageError(_nothing("protocol", name, {one.protocol.pairing for one in subjects}))
+
+    def _places(self) -> dict[str, str]:
+        return places_of(self._ids | {name: called(name) for name in self.trusted})
 
     def _is_method(self, name: str, subject: Subject) -> bool:
         method = self._ids[name]

@@ -4,7 +4,7 @@ from rich.console import Group, RenderableType
 from rich.text import Text
 
 from vpr_bench.gate.verdict import Judgement, Outcome, Verdict
-from vpr_bench.gate.words import HEAD, by_protocol, details, moved, reasons, table_rows
+from vpr_bench.gate.words import HEAD, by_protocol, details, legend, moved, reasons, skipped, table_rows
 from vpr_bench.report.grid import Grid
 
 _STYLES: dict[Outcome, str] = {
@@ -22,6 +22,8 @@ def render(judgement: Judgement) -> RenderableType:
     for protocol, verdicts in by_protocol(judgement).items():
         parts.append(Grid(protocol, HEAD, [row for verdict in verdicts for row in table_rows(verdict)]).rich())
         parts += [_details(verdict) for verdict in details(judgement, protocol)]
+    parts += [Text(line, style="dim") for line in legend(judgement)]
+    parts += [Text(line) for line in skipped(judgement)]
     style = "bold green" if judgement.exit_code == 0 else "bold red"
     return Group(*parts, Text(judgement.summary(), style=style))
 

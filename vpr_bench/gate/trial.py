@@ -1,5 +1,6 @@
 """One method on one protocol, run and held against the baseline."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,16 @@ from vpr_bench.method.build import build_method
 from vpr_bench.runner.run import RunOptions, run
 from vpr_bench.runner.store import RunStore, StoredRun
 
+_ARGUMENTS: dict[str, tuple[Any, str]] = {
+    "method": (str, "the name of a method"),
+    "dataset": (str, "the name of a dataset, or a folder"),
+    "protocol": (str | None, "a text such as 'day_left-night_right'"),
+    "parameters": (Mapping, "{name: value}, such as {'cell': 32}"),
+    "seed": (int | None, "a whole number"),
+    "k": (int | None, "a whole number"),
+}
+"""What the type of each is, and how that is said."""
+
 
 @dataclass(frozen=True)
 class Trial:
@@ -29,7 +40,7 @@ class Trial:
     ----------
     method, dataset, protocol : str
         As on the command line; without a protocol, the dataset's first.
-    parameters : dict
+    parameters : mapping
         Of the method.
     seed, k : int or None
         None for those of the baseline.
@@ -38,9 +49,22 @@ class Trial:
     method: str
     dataset: str
     protocol: str | None
-    parameters: dict[str, Any]
+    parameters: Mapping[str, Any]
     seed: int | None
     k: int | None
+
+    def __post_init__(self) -> None:
+        """Refuse what is of another type: a test may pass anything.
+
+        Raises
+        ------
+        UsageError
+            Names the argument.
+        """
+        for name, (kinds, told) in _ARGUMENTS.items():
+            value = getattr(self, name)
+            if not isinstance(value, kinds) or isinstance(value, bool):
+                raise UsageError(f"{name} is {told}. Got {value!r:.200} instead.")
 
     def judge(self, baseline: Path, runs: Path, overrides: Overrides) -> Verdict:
         """Run, or take the stored run, and judge it by the baseline.

@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from vpr_bench.errors import DataError
 from vpr_bench.gate.baseline import Baseline
 from vpr_bench.gate.cell import Cell
 from vpr_bench.gate.latency_change import latency_change
@@ -71,7 +72,7 @@ def updated(
     UsageError
         If a run cannot be scored, or the overrides make no sense.
     DataError
-        If a run is damaged.
+        If a run is damaged, or the new baseline would hold no cells.
     """
     runs, old = list(runs), baseline.cells
     asked = set(old if only is None else only)
@@ -89,6 +90,8 @@ def updated(
         recorded += [name] if cells[name] is not cell else []
     fresh = [record_cell(run, metrics=rules.metrics) for run in without_cell(old.values(), runs, named=named)]
     new = baseline.model_copy(update={"rules": rules}).with_cells([*cells.values(), *fresh])
+    if not new.cells:
+        raise DataError("There is nothing to record: a baseline without cells would pass whatever happens.")
     return Update(new, recorded, [cell.id for cell in fresh], [name for name in old if name not in new.cells])
 
 

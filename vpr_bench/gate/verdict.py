@@ -121,15 +121,26 @@ class Judgement:
         In the order of the baseline, what has no cell last.
     left_out : int
         Cells that the caller did not ask about.
+    skipped : sequence of Path
+        Folders of the runs that were asked only some of the queries, which are judged by nothing.
+    recording : bool
+        A baseline is being recorded: what is new is good as it is.
     """
 
     verdicts: Sequence[Verdict]
     left_out: int = 0
+    skipped: Sequence[Path] = ()
+    recording: bool = False
 
     @property
     def exit_code(self) -> int:
-        """0 if all is well, 3 where something could not be judged for its data, else 1."""
-        return max((one.exit_code for one in self.verdicts), default=0)
+        """0 if all is well, 3 where something could not be judged for its data, else 1; also if nothing was judged."""
+        return max((one.exit_code for one in self.verdicts), default=0) or int(self.idle)
+
+    @property
+    def idle(self) -> bool:
+        """Whether no cell was judged, so that nothing could fail, although that was the purpose."""
+        return not self.recording and self.count("new") == len(self.verdicts)
 
     def count(self, outcome: Outcome) -> int:
         """Return how many came to this."""
@@ -152,7 +163,8 @@ class Judgement:
         }
         told = [f"{self.count(outcome)} {word}" for outcome, word in words.items() if self.count(outcome)]
         told += [f"{self.left_out} not asked about"] if self.left_out else []
-        return ", ".join(told) or "nothing to judge"
+        told += [f"{len(self.skipped)} partial skipped"] if self.skipped else []
+        return ", ".join([*told, "nothing was judged"] if self.idle else told) or "nothing to record"
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything JSON-able."""
@@ -160,6 +172,7 @@ class Judgement:
             "passed": self.exit_code == 0,
             "summary": self.summary(),
             "left_out": self.left_out,
+            "skipped": [str(folder) for folder in self.skipped],
             "cells": [one.as_dict() for one in self.verdicts],
         }
 

@@ -45,6 +45,20 @@ def details(judgement: Judgement, protocol: str) -> list[Verdict]:
     return [one for one in verdicts if one.outcome != "new" and (reasons(one) or any(moved(one)))]
 
 
+def legend(judgement: Judgement) -> list[str]:
+    """Say how to read what the tables say is allowed; nothing where they say nothing."""
+    if not any(verdict.metrics for verdict in judgement.verdicts):
+        return []
+    return ["allowed: -0.02, no larger fall; p > 0.05, no fall that chance alone would make less often than that"]
+
+
+def skipped(judgement: Judgement) -> list[str]:
+    """Name the runs that nothing is judged by, on one line; no line where there are none."""
+    if not judgement.skipped:
+        return []
+    return [f"skipped, as only some queries were asked (--limit): {listed(judgement.skipped, one_line)}"]
+
+
 def advice(judgement: Judgement) -> list[str]:
     """Say what can be done about what was found, a line each."""
     told = []
@@ -93,7 +107,7 @@ def allowed(change: MetricChange) -> str:
     """Write what a metric's rule allows."""
     rule = change.rule
     parts = [f"-{rule.tolerance:g}"] if rule.tolerance is not None else []
-    parts += [f"p ≥ {rule.significance:g}"] if rule.significance else []
+    parts += [f"p > {rule.significance:g}"] if rule.significance else []
     return ", ".join(parts) or "anything"
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from vpr_bench.dataset.load import Case
 from vpr_bench.errors import DamagedError, DataError, UsageError, closest, one_line
+from vpr_bench.files.atomic import write_bytes
 from vpr_bench.method.build import BuiltMethod, build_method, find_method
 from vpr_bench.method.rebuild import called, places_of, rebuilding
 from vpr_bench.method.trust import UntrustedError
@@ -18,6 +19,10 @@ from vpr_bench.runner.record import RunKey, RunRecord
 from vpr_bench.runner.run import RunOptions, run, run_key
 from vpr_bench.runner.store import RunStore, StoredRun
 
+MADE_HERE = "reproduction.txt"
+"""Lies in the folder of a run that is a reproduction, and may be overwritten by the next one."""
+
+_NOTE = b"`vpr-bench reproduce` did a run again, and this is what it answered. The next time, it is overwritten.\n"
 _LONGEST = 200  # characters that a message quotes of a value; run.json may be anybody's
 
 
@@ -33,7 +38,7 @@ def reproduce(
     original : StoredRun
         It is left as it is.
     store : RunStore
-        Where the new one goes.
+        Where the new one goes; in its folder, ``MADE_HERE`` says what it is.
     methods : sequence of str
         Where methods are that are not installed: ``path/to/file.py:Class``. A run alone cannot have a file executed.
     dataset : str, optional
@@ -43,7 +48,7 @@ def reproduce(
     ------
     UsageError
         If a method must be named by the user, or one is named that the run does not have, or the new run would take
-        the place of the old one.
+        the place of one that is no reproduction.
     DataError
         If version, parameters or weights of the method or the images are no longer those of the run, or are missing.
     VprBenchError
@@ -56,11 +61,15 @@ def reproduce(
     found = run_key(case, built, options)
     for name, value in _plain(found).items():  # the rest of it, which only an edited run.json can contradict
         _check(original.record, f"The {name} in its key", _plain(key)[name], value, "Its run.json contradicts itself.")
-    if store.folder(found).resolve() == original.folder.resolve():
-        raise UsageError(f"The new run would take the place of {original.folder}. Give another folder with --output.")
-    return run(
-        case, built, store, replace(options, overwrite="always" if _is_complete(store, found) else "only-missing")
-    )
+    there = store.folder(found)
+    if there.resolve() == original.folder.resolve():
+        raise UsageError(f"The new run would take the place of {there}. Give another folder with --output.")
+    stored = _is_complete(store, found)
+    if stored and not (there / MADE_HERE).exists():
+        raise UsageError(f"{there} is no reproduction, and not overwritten. Give another folder with --output.")
+    again = run(case, built, store, replace(options, overwrite="always" if stored else "only-missing"))
+    write_bytes(again.folder / MADE_HERE, _NOTE)
+    return again
 
 
 def rebuild(record: RunRecord, methods: Sequence[str] = ()) -> BuiltMethod:

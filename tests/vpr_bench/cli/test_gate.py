@@ -123,6 +123,43 @@ def test_what_can_be_done_is_said(vpr_bench, recorded):
     assert "--update records it" not in vpr_bench("gate", "--update").err
 
 
+def test_reports_are_written_into_new_folders_after_the_verdict(vpr_bench, recorded):
+    assert vpr_bench("gate", "--junit", "a/b/gate.xml", "--markdown", "c/gate.md").code == 0
+    assert Path("a/b/gate.xml").exists() and Path("c/gate.md").exists()
+    done = vpr_bench("gate", "--junit", "baseline.json/gate.xml")
+    assert (done.code, "1 passed" in done.out) == (3, True)
+
+
+def test_what_is_run_and_what_is_stored_is_said(vpr_bench, recorded):
+    assert f"{LABEL} on tiny/day_left-day_right@1f: stored already" in vpr_bench("gate", "--run").err
+    again = vpr_bench("gate", "--run", "--runs", "again")
+    assert f"{LABEL} on tiny/day_left-day_right@1f: running" in again.err
+
+
+def test_a_damaged_run_is_one_entry(vpr_bench, recorded):
+    (recorded / "run.json").write_text("{")
+    cells = json.loads(vpr_bench("gate", "--format", "json").out)["cells"]
+    assert [(one["method"], one["verdict"]) for one in cells] == [(LABEL, "error")]
+    assert cells[0]["reasons"][0].startswith("its run is damaged: ")
+
+
+def test_a_gate_that_judges_nothing_is_not_green(vpr_bench, tiny_dataset):
+    assert vpr_bench("run", "--method", "random", "--dataset", "tiny", "--limit", "3", "-o", "part").code == 0
+    words = ("gate", "--runs", "part")
+    done = vpr_bench(*words, "--update")
+    assert done.code == 3
+    assert "a baseline needs all queries" in done.err
+    assert "skipped" in done.out
+    assert not BASELINE.exists()
+    BASELINE.write_text('{"schema_version": 1, "cells": {}}')
+    done = vpr_bench(*words)
+    assert (done.code, "holds no cells" in done.err) == (3, True)
+    assert vpr_bench(*words, "--update").code == 3
+    assert vpr_bench("run", "--method", "random", "--dataset", "tiny", "-o", "part").code == 0
+    assert vpr_bench(*words, "--update").code == 0
+    assert vpr_bench(*words).code == 0
+
+
 def test_pruning(vpr_bench, recorded):
     vpr_bench("run", "--method", "random", "--dataset", "tiny")
     vpr_bench("gate", "--update")
@@ -166,12 +203,14 @@ def test_bad_input_is_told_and_nothing_is_overwritten(vpr_bench, recorded, harm,
         (("--method", "hogg"), 2, "Did you mean 'hog'"),
         (("--dataset", "nordland"), 2, "'nordland'"),
         (("--protocol", "a-b"), 2, "'a-b'"),
-        (("--tolerance", "recall@1"), 2, "name=value"),
+        (("--tolerance", "recall@1"), 2, "A tolerance is written metric=drop. Got 'recall@1'"),
+        (("--trust", "mine"), 2, "no method 'mine'"),
+        (("--junit", "runs"), 2, "is a directory"),
         (("--tolerance", "recall@1=much"), 2, "metric=drop"),
         (("--tolerance", "auc=0.1"), 2, "no metric 'auc'"),
         (("--significance", "2"), 2, "Got 2"),
         (("--runs", "empty"), 3, "There are no runs under empty"),
-        (("--markdown", "no/folder/gate.md"), 3, "Cannot write"),
+        (("--markdown", "baseline.json/gate.md"), 3, "baseline.json is in the way"),
     ],
     ids=str,
 )
@@ -212,7 +251,8 @@ def test_a_method_of_ones_own_is_run_if_it_is_named(vpr_bench, recorded):
     assert vpr_bench("gate", "--update").code == 0
     done = vpr_bench("gate", "--run", "--runs", "again")
     assert done.code == 2
-    assert "say where it is with --method" in " ".join(done.out.split())
+    assert "say where it is with --trust" in " ".join(done.out.split())
+    assert "2 passed" in vpr_bench("gate", "--run", "--runs", "again", "--trust", "mine.py:Mine").out
     assert vpr_bench("gate", "--run", "--runs", "again", "--method", "mine.py:Mine").code == 0
     Path("mine.py").write_text(Path("mine.py").read_text().replace("-np.arange", "np.arange"))
     done = vpr_bench("gate", "--run", "--runs", "again", "--method", "mine.py:Mine", "--exact")
@@ -240,7 +280,7 @@ def test_random_answers_of_another_seed_are_another_cell(vpr_bench, recorded):
 def test_a_cell_of_another_radius_is_added_by_its_name(vpr_bench, recorded):
     wider = ("--protocol", "day_left-day_right@4f")
     judged = vpr_bench("gate", *wider)
-    assert (judged.code, "1 new" in judged.out) == (0, True)
+    assert (judged.code, "1 new, 1 not asked about, nothing was judged" in judged.out) == (1, True)
     done = vpr_bench("gate", "--update", *wider)
     assert (done.code, done.err) == (0, "baseline.json: 1 added\n")
     ids = [f"tiny/day_left-day_right@{reach} {LABEL}" for reach in ("1f", "4f")]

@@ -105,6 +105,12 @@ def test_an_edited_cell_is_named(path, change, said):
     assert "\n" not in str(refused.value)
 
 
+def test_rules_that_are_wrong_are_told_what_they_may_hold(path):
+    edit(path, lambda content: content["cells"][ID].update(rules={"exact": 1}))
+    with pytest.raises(DamagedError, match=r'rules\.exact: Input should be a valid boolean\. Rules hold "exact"'):
+        read_baseline(path)
+
+
 def test_a_duplicate_cell_is_named(path):
     text = path.read_text()
     start = text.index('  "gardens')
@@ -116,7 +122,11 @@ def test_a_duplicate_cell_is_named(path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "is damaged"),
+        ("", "is empty. Take it back from version control"),
+        (" \n", "is empty"),
+        ('{"schema_version": 1,\n<<<<<<< ours\n', "line 2: '<<<<<<<' is the mark of a merge conflict"),
+        ('{"schema_version": 1\n"rules": {}}', "line 2, column 1: Expecting ',' delimiter. Mend that line"),
+        ('{"schema_version": 1, "rules": {"metrics": {"accuracy": {"tol": 1}}}}', "(0 to 1)"),
         ("[]", "holds no object"),
         ("{}", "has no schema_version"),
         ('{"schema_version": true}', "has no schema_version"),
@@ -128,7 +138,7 @@ def test_a_duplicate_cell_is_named(path):
         ("[" * 100_000, "is damaged"),
         ("\xff", "is damaged"),
     ],
-    ids=range(11),
+    ids=range(15),
 )
 def test_what_is_no_baseline_is_refused(tmp_path, text, said):
     path = tmp_path / "baseline.json"

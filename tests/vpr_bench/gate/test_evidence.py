@@ -26,8 +26,19 @@ def test_damaged_runs_stand_with_the_rest(baseline, store, tmp_path):
     store(label="a")
     (store(label="b").folder / "matches.npz").unlink()
     judgement = collect(baseline, Selection(), tmp_path / "runs").judge(Overrides())
-    assert sorted(one.outcome for one in judgement.verdicts) == ["error", "missing", "pass"]
+    assert [(one.label, one.outcome) for one in judgement.verdicts] == [("a", "pass"), ("b", "error")]
+    assert judgement.verdicts[1].reasons[0].startswith("its run is damaged: ")
     assert judgement.exit_code == 3
+    evidence = collect(baseline, Selection(methods=["a"]), tmp_path / "runs")
+    assert [one.label for one in evidence.judge(Overrides()).verdicts] == ["a"]
+
+
+def test_partial_runs_are_skipped_by_name(baseline, store, tmp_path):
+    store(label="a")
+    partial = store(label="c", limit=20)
+    judgement = collect(baseline, Selection(methods=["a", "c"]), tmp_path / "runs").judge(Overrides())
+    assert judgement.skipped == [partial.folder]
+    assert judgement.summary() == "1 passed, 1 not asked about, 1 partial skipped"
 
 
 def test_names_that_mean_nothing(baseline, store, tmp_path):
@@ -47,6 +58,6 @@ def test_what_cannot_be_run_is_no_older_runs_verdict(baseline, store, tmp_path):
     store(label="a")
     said = []
     evidence = run_and_collect(baseline, Selection(), tmp_path / "runs", said.append)
-    assert said == ["a on gardens/day_left-day_right@0f", "b on gardens/day_left-day_right@0f"]
+    assert said == []
     verdicts = evidence.judge(Overrides()).verdicts
     assert [(one.label, one.outcome) for one in verdicts] == [("a", "error"), ("b", "error")]

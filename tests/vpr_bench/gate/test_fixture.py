@@ -115,6 +115,14 @@ def test_a_cell_is_run_with_its_own_threads(pytest_run):
         ('vpr_gate("random", "tiny", seed=3)', "has seed 0. Got 3 instead"),
         ('vpr_gate("random", "tiny", k=3)', "has k 12. Got 3 instead"),
         ('vpr_gate("random", "tiny", tolerance={"auc": 1})', "no metric 'auc'"),
+        (
+            'vpr_gate("random", "tiny", tolerance=0.1)',
+            "tolerance is {metric: drop}, such as {'recall@1': 0.02}. Got 0.1",
+        ),
+        ('vpr_gate("random", "tiny", tolerance=0)', "tolerance is {metric: drop}"),
+        ('vpr_gate("random", "tiny", parameters=["cell"])', "parameters is {name: value}"),
+        ('vpr_gate("random", 3)', "dataset is the name of a dataset"),
+        ('vpr_gate("random", "tiny", seed="0")', "seed is a whole number. Got '0'"),
     ],
 )
 def test_mistakes_are_told_in_a_line(pytest_run, body, said):
@@ -123,6 +131,7 @@ def test_mistakes_are_told_in_a_line(pytest_run, body, said):
     assert not done.passed
     assert said in done.out
     assert "vpr_bench/" not in done.out
+    assert "During handling" not in done.out
 
 
 def test_other_images_fail(pytest_run, tiny_dataset):

@@ -13,14 +13,14 @@ def test_damaged_runs_are_errors_and_hide_no_other(store, tmp_path):
         warnings.simplefilter("error")
         runs, errors = gather(tmp_path / "runs")
     assert [run.folder for run in runs] == [good.folder]
-    assert [(one.outcome, one.exit_code) for one in errors] == [("error", 3)]
-    assert str(bad.folder) in errors[0].reasons[0]
+    assert [one.folder for one in errors] == [bad.folder]
+    assert str(bad.folder) in str(errors[0].fault)
 
 
 def test_a_run_of_another_schema_is_an_error(store, tmp_path):
     record = store().folder / "run.json"
     record.write_text(record.read_text().replace('"schema_version":2', '"schema_version":99'))
-    assert "schema version 99" in gather(tmp_path / "runs")[1][0].reasons[0]
+    assert "schema version 99" in str(gather(tmp_path / "runs")[1][0].fault)
 
 
 def test_an_empty_folder_holds_nothing(tmp_path):

@@ -1,6 +1,8 @@
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 
+import pytest
+
 from vpr_bench.gate.junit import to_junit
 from vpr_bench.gate.verdict import Judgement, Verdict
 
@@ -44,5 +46,8 @@ def test_whatever_names_hold_it_can_be_read(failing, hostile):
     }
 
 
-def test_nothing_to_judge_is_an_empty_suite():
-    assert parsed(Judgement([])).get("tests") == "0"
+@pytest.mark.parametrize("verdicts", [[], [Verdict("a", "b", "new")]])
+def test_nothing_to_judge_is_a_failure(verdicts):
+    root = parsed(Judgement(verdicts))
+    assert root.get("failures") == "1"
+    assert root.find(".//failure").get("message") == "no cell of the baseline was judged"

@@ -42,8 +42,18 @@ def test_significance_of_the_others_is_the_paired_bootstraps(metric):
     shuffled = answers(random.permutation(before.correct))
     change = metric_change(metric, Rule(significance=0.05), before, shuffled)
     assert change.interval is not None
-    assert change.interval[1] < 0
+    assert change.interval[1] < 0 and change.p_value <= 0.05
     assert "bootstrap" in change.faults[0]
+
+
+@pytest.mark.parametrize("significance", [0.001, 0.05, 0.3, 0.9])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_bootstraps_p_value_decides_and_its_interval_agrees(significance, seed):
+    random = np.random.default_rng(seed)
+    before, after = (answers(random.permutation(60) < count) for count in (40, 34))
+    change = metric_change("pr_auc", Rule(significance=significance), before, after)
+    if change.difference < 0:
+        assert bool(change.faults) is (change.p_value <= significance) is (change.interval[1] < 0)
 
 
 @given(st.lists(st.booleans(), min_size=1, max_size=30), st.sampled_from(["recall@1", "pr_auc", "accuracy", "roc_auc"]))

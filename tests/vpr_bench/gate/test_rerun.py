@@ -52,7 +52,7 @@ def test_code_is_not_run_because_a_baseline_names_it(recorded, tmp_path, monkeyp
     monkeypatch.chdir(tmp_path)
     Path("bad.py").write_text("raise SystemError('was run')\nclass Bad: ...\n")
     cell = record_cell(recorded).model_copy(update={"method": "bad.py:Bad", "label": "bad.py:Bad", "parameters": {}})
-    with pytest.raises(UsageError, match="say where it is with --method"):
+    with pytest.raises(UsageError, match="say where it is with --trust"):
         run_cell(cell, tmp_path / "now", Sources())
     with pytest.raises(UsageError, match="was run"):
         run_cell(cell, tmp_path / "now", Sources(methods={"bad.py:Bad": "bad.py:Bad"}))

@@ -35,6 +35,13 @@ def test_no_overrides_change_nothing():
         (Overrides({"pr_auc_pairs": 0.1}), "does not hold the scores of all pairs"),
         (Overrides(significance=1.0), "Got 1"),
         (Overrides(latency_ratio=0.0), "must be positive"),
+        (Overrides(0.1), r"tolerance is \{metric: drop\}, such as \{'recall@1': 0.02\}\. Got 0.1"),
+        (Overrides({"recall@1": "0.1"}), "tolerance is"),
+        (Overrides({1: 0.1}), "tolerance is"),
+        (Overrides({"recall@1": True}), "tolerance is"),
+        (Overrides(significance="5 %"), "significance is a number. Got '5 %'"),
+        (Overrides(latency_ratio=[2]), "latency_ratio is a number"),
+        (Overrides(exact="yes"), "exact is True or False"),
     ],
 )
 def test_overrides_that_make_no_sense(overrides, said):

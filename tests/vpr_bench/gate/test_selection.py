@@ -94,6 +94,17 @@ def test_a_file_is_a_method_by_its_name_without_folders(tmp_path):
     assert selection.sources.methods == {"mine.py:Mine": f"{file}:Mine"}
 
 
+def test_what_is_trusted_chooses_nothing(tmp_path):
+    file = tmp_path / "mine.py"
+    file.write_text("class Mine: ...")
+    selection = Selection(trusted=[f"{file}:Mine"])
+    assert selection.sources.methods == {"mine.py:Mine": f"{file}:Mine"}
+    assert selection.wants(subject())
+    selection.check([subject()])
+    with pytest.raises(UsageError, match="no method 'mine'"):
+        Selection(trusted=["mine"])
+
+
 def test_a_folder_of_ones_own_is_a_dataset_by_its_id(tmp_path, tiny_images):
     selection = Selection(datasets=[str(tiny_images)])
     (dataset,) = selection.sources.folders

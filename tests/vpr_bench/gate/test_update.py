@@ -1,5 +1,6 @@
 import pytest
 
+from vpr_bench.errors import DataError
 from vpr_bench.gate import Baseline, Overrides, Rule, Rules, record_cell, updated
 from vpr_bench.gate.matching import asked_for
 from vpr_bench.types.protocol import Protocol
@@ -39,6 +40,12 @@ def test_new_ones_are_added_and_those_not_run_are_kept(old, store):
 def test_pruning_drops_what_was_asked_about_and_not_run(old, store):
     assert updated(old, [store()], prune=True).dropped == ["gardens/day_left-day_right@0f other"]
     assert updated(old, [], only=[ID], prune=True).dropped == [ID]
+
+
+def test_no_baseline_without_cells_is_made(old):
+    for baseline, prune in ((old, True), (Baseline(), False)):
+        with pytest.raises(DataError, match="There is nothing to record"):
+            updated(baseline, [], prune=prune)
 
 
 def test_overrides_become_rules(old, store):

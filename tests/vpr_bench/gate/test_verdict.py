@@ -1,4 +1,5 @@
 import math
+from pathlib import Path
 
 import pytest
 
@@ -10,7 +11,8 @@ from vpr_bench.gate.verdict import Judgement, Verdict
 @pytest.mark.parametrize(
     ("outcomes", "code"),
     [
-        ([], 0),
+        ([], 1),
+        (["new"], 1),
         (["pass", "new"], 0),
         (["pass", "fail"], 1),
         (["missing"], 1),
@@ -35,7 +37,12 @@ def test_better_is_what_rose_and_passed():
 
 def test_what_was_left_out_is_said():
     assert Judgement([Verdict("a", "b", "pass")], left_out=4).summary() == "1 passed, 4 not asked about"
-    assert Judgement([]).summary() == "nothing to judge"
+    assert Judgement([], skipped=[Path("a")]).summary() == "1 partial skipped, nothing was judged"
+
+
+def test_who_records_need_judge_nothing():
+    judgement = Judgement([Verdict("a", "b", "new")], recording=True)
+    assert (judgement.exit_code, judgement.summary()) == (0, "1 new")
 
 
 def test_undefined_numbers_are_null_in_json():
