@@ -9,7 +9,7 @@ from vpr_bench.gate.damaged import DamagedRun
 from vpr_bench.gate.rerun import Sources
 from vpr_bench.gate.verdict import Judgement, Verdict
 from vpr_bench.report.pictures import RunPictures
-from vpr_bench.runner.store import RECORD, RunStore, StoredRun, StoreWarning
+from vpr_bench.runner.store import RunStore, StoredRun, StoreWarning
 
 
 def gather(root: Path) -> tuple[list[StoredRun], list[DamagedRun]]:
@@ -24,8 +24,7 @@ def gather(root: Path) -> tuple[list[StoredRun], list[DamagedRun]]:
         warnings.simplefilter("ignore", StoreWarning)  # each is looked at again below
         runs = RunStore(root).runs()
     whole = {run.folder for run in runs}
-    folders = sorted(record.parent for record in root.glob(f"*/*/*/*/{RECORD}"))
-    rest = [folder for folder in folders if folder not in whole and "." not in folder.name]
+    rest = [folder for folder in RunStore(root).folders() if folder not in whole]
     return runs, [damaged for folder in rest if (damaged := DamagedRun.at(folder)) is not None]
 
 

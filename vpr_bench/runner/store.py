@@ -153,14 +153,17 @@ class RunStore:
         folder = self.folder(key)
         return StoredRun.open(folder) if folder.exists() else None
 
+    def folders(self) -> list[Path]:
+        """Return the folders of all runs, whole or damaged, but for those being written or put aside."""
+        folders = sorted(record.parent for record in self.root.glob(f"*/*/*/*/{RECORD}"))
+        return [folder for folder in folders if "." not in folder.name]
+
     def runs(self) -> list[StoredRun]:
         """Return all complete runs, oldest first; damaged ones are left out with a warning."""
         found = []
-        for record in sorted(self.root.glob(f"*/*/*/*/{RECORD}")):
-            if "." in record.parent.name:  # being written, or put aside
-                continue
+        for folder in self.folders():
             try:
-                found.append(StoredRun.open(record.parent))
+                found.append(StoredRun.open(folder))
             except DataError as error:
                 warnings.warn(str(error), StoreWarning, stacklevel=2)
         return sorted(found, key=lambda run: (run.record.created, run.folder))
