@@ -59,6 +59,8 @@ def track(items: Iterable[T], description: str, total: int | None = None) -> Ite
     """
     if total is None and isinstance(items, Sized):
         total = len(items)
+    if total == 0:
+        return  # a bar of no length would say nothing
     with task(description, total) as advance:
         for item in items:
             yield item

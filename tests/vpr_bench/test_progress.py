@@ -66,3 +66,10 @@ def test_the_inner_listener_is_told_and_then_the_outer_one_again():
             list(track([1], "Inner"))
         list(track([1], "Outer"))
     assert inner.opened == [("Inner", 1)] and outer.opened == [("Outer", 1)]
+
+
+def test_nothing_to_do_opens_no_bar():
+    bars = Bars()
+    with listen(bars):
+        assert list(track([], "Nothing")) == []
+    assert not bars.opened

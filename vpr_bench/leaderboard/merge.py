@@ -70,8 +70,7 @@ def merge(existing: Sequence[Entry], runs: Sequence[StoredRun], leave_out: Told 
     found: dict[Cell, Entry] = {}
     failed: set[Path] = set()
     guard = partial(_leaving_out, leave_out, failed)
-    wanted = _wanted(held, runs, guard)
-    for run, protocol in track(wanted, "Scoring") if wanted else ():
+    for run, protocol in track(_wanted(held, runs, guard), "Scoring"):
         with guard(run):
             if run.folder not in failed:
                 found[cell_of(run, protocol)] = collect(run, protocol)

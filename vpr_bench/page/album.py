@@ -69,7 +69,7 @@ class Album:
         return _fitting(self._all(_SIZES[-1]), room)
 
     def _all(self, size: tuple[int, int]) -> dict[int, Embedded]:
-        decodes = track(self._decodes, "Embedding pictures") if self._decodes else ()
+        decodes = track(self._decodes, "Embedding pictures")
         found = ((number, decode()) for number, decode in enumerate(decodes))
         return {number: _embedded(pixels, *size) for number, pixels in found if pixels is not None}
 
